@@ -1,0 +1,494 @@
+/*
+ * qvol.h - an integer-only volume renderer: the whole public interface.
+ *
+ * qvol turns semi-transparent voxels in the caller's memory into rows of pixels
+ * in the caller's buffer. It allocates nothing, keeps no state of its own, calls
+ * no library function but memcpy, memset and memmove, and computes the same bits
+ * on every target.
+ *
+ *     voxels -> classify -> sample -> composite -> pixels
+ *
+ * CONVENTIONS (fixed for good; tests/SPEC.md states them as integer formulas)
+ *
+ * Space. A volume of size (nx, ny, nz) fills the box [0,nx] x [0,ny] x [0,nz] of
+ *   voxel coordinates. The centre of voxel (i, j, k) is (i+1/2, j+1/2, k+1/2).
+ *   World coordinates are voxel coordinates times the spacing of each axis;
+ *   their unit is the caller's (millimetres, or voxels where every spacing is 1).
+ *   World axes are right-handed: x right, y into the picture and z up for a
+ *   viewer at azimuth 0 and elevation 0.
+ * Box. A point belongs to the volume where 0 <= p < n holds on every axis.
+ *   Between the outermost voxel centres and the faces of the box, values are
+ *   clamped: they are those of the nearest point between centres.
+ * Angles are binary: 2^32 is one full turn, so 0x40000000 is 90 degrees.
+ * Pixels. x runs to the right and y downwards; a pixel's ray goes through its
+ *   centre. Rectangles are half-open and absolute: the same pixel has the same
+ *   value in every rectangle, strip or row that contains it.
+ * Samples. The samples of a ray lie on the grid s = (k + phase) * step, k an
+ *   integer, with the step a length in world units and the caller's phase in
+ *   [0, 1). s is measured along the ray: from the plane through the centre of
+ *   the frame's geometry (orthographic: k of either sign) or from the eye
+ *   (perspective: k >= 0). A sample belongs to the ray where its point lies in
+ *   the box; so neighbouring rays and neighbouring bricks share one grid.
+ * Segments. A sample stands for the stretch of one step centred on it. The
+ *   first and the last sample stand for whole steps too; a mode that weighs
+ *   opacity by length (none in this version) lets the first stretch begin, and
+ *   the last end, exactly at the box.
+ * Reconstruction reads the sample's point rounded to 1/256 voxel on each axis,
+ *   to nearest, ties upwards; rays advance in steps of 2^-32 voxel.
+ * Colour. 255 of 8 bits and 65535 of 16 bits are exactly 1. Stored colours are
+ *   not weighted by opacity; the renderer weights them while it interpolates.
+ *   Pixels with an alpha channel hold associated (premultiplied) colours.
+ * Unit distance. The length for which a stored opacity holds. It is the step
+ *   itself where the volume's unit_distance is 0; any other value must equal
+ *   the step, since this version does not correct opacities.
+ * Rounding is to nearest with ties upwards unless a declaration says otherwise.
+ *
+ * ERRORS. A function that can fail returns a qv_status: 0 or a positive value on
+ * success, a negative one on error. On error nothing has been written through
+ * any pointer argument. Order of arguments: what is written, then what is read.
+ *
+ * THREADS. Every function works on its arguments alone, so calls on different
+ * outputs may run at the same time; contexts and volumes may be shared freely.
+ */
+#ifndef QVOL_H
+#define QVOL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define QV_VERSION_MAJOR 0
+#define QV_VERSION_MINOR 1
+#define QV_VERSION_PATCH 0
+#define QV_VERSION "0.1.0"
+
+/* ---- Memory ------------------------------------------------------------- */
+
+/*
+ * Address of data that may lie in program memory: voxels, palettes, scalars.
+ * A port whose program memory is not reached through plain pointers names a
+ * header in QV_MEMORY_HEADER that defines qv_address, qv_offset (a signed
+ * integer that spans a volume) and the accessors of core/memory.h.
+ */
+#ifdef QV_MEMORY_HEADER
+#include QV_MEMORY_HEADER
+#else
+typedef const unsigned char *qv_address;
+typedef ptrdiff_t qv_offset;
+#endif
+
+/* ---- Status ------------------------------------------------------------- */
+
+typedef enum qv_status {
+    QV_OK = 0,
+    QV_MORE = 1,               /* not an error: bounded work remains to be done */
+    QV_ERROR_NULL = -1,        /* a required pointer is null */
+    QV_ERROR_STORAGE = -2,     /* unknown storage, or not the one the sampling mode reads */
+    QV_ERROR_SIZE = -3,        /* an axis is 0 or longer than QV_AXIS_MAX */
+    QV_ERROR_STRIDE = -4,      /* strides overlap, are odd for 16-bit data, or leave the memory given */
+    QV_ERROR_PALETTE = -5,     /* palette missing, or not of 256 entries */
+    QV_ERROR_SPACING = -6,     /* spacing outside 1/256 .. 256 */
+    QV_ERROR_STEP = -7,        /* step, or step by spacing, out of range */
+    QV_ERROR_UNIT = -8,        /* unit distance differs from the step */
+    QV_ERROR_CAMERA = -9,      /* matrix degenerate or out of range */
+    QV_ERROR_VIEW = -10,       /* frame size, pitch or field of view out of range */
+    QV_ERROR_RECT = -11,       /* rectangle empty or outside +-QV_PIXEL_MAX */
+    QV_ERROR_BUFFER = -12,     /* output buffer too small, or rows overlap */
+    QV_ERROR_TRANSFER = -13,   /* control points out of order, or none */
+    QV_ERROR_WINDOW = -14,     /* window of scalar values is empty or out of range */
+    QV_ERROR_LIGHT = -15,      /* shading: zero vector or coefficient out of range */
+    QV_ERROR_RESERVED = -16    /* a field that must be zero is not */
+} qv_status;
+
+/* One line of English for a status, never null; also for values not listed. */
+const char *qv_status_text(qv_status status);
+
+/* The version of the library that is linked, QV_VERSION at its build. */
+const char *qv_version(void);
+
+/* ---- Volumes ------------------------------------------------------------ */
+
+#define QV_AXIS_MAX 4096
+#define QV_PALETTE_ENTRIES 256
+#define QV_PALETTE8_BYTES 1024  /* 256 RGBA8 entries */
+#define QV_PALETTE16_BYTES 2048 /* 256 RGBA16 entries */
+
+/* A length or ratio with 16 fraction bits: 65536 is 1. */
+#define QV_ONE_Q16 65536u
+
+typedef enum qv_storage {
+    QV_STORAGE_RGBA8 = 1,      /* 4 bytes R,G,B,A; any alignment */
+    QV_STORAGE_RGBA16 = 2,     /* 4 uint16_t R,G,B,A in the machine's byte order, 2-aligned */
+    QV_STORAGE_INDEXED8 = 3,   /* 1 byte, index into 256 RGBA8 entries */
+    QV_STORAGE_INDEXED8_16 = 4 /* 1 byte, index into 256 RGBA16 entries */
+} qv_storage;
+
+/*
+ * A volume: a view of voxels in the caller's memory, flash included.
+ * The caller keeps voxels and palette alive and unchanged while contexts that
+ * were made from the descriptor are in use; the descriptor itself is copied.
+ */
+typedef struct qv_volume {
+    qv_address voxels;      /* voxel (0,0,0) */
+    qv_address palette;     /* indexed storage: 256 entries, alignment as storage says; else null */
+    qv_address occupancy;   /* reserved for empty-space structures: null */
+    uint64_t voxels_bytes;  /* memory that the voxels span, from the lowest byte to the highest */
+    uint32_t palette_bytes; /* QV_PALETTE8_BYTES or QV_PALETTE16_BYTES; 0 without palette */
+    uint32_t spacing[3];    /* world units per voxel, Q16.16, 1/256 .. 256; 0 means 1 */
+    uint32_t unit_distance; /* world length for which opacities hold, Q16.16; 0: the step */
+    int32_t stride[3];      /* bytes to the next voxel on x, y, z; any order, any sign, even for
+                               16-bit data. The axes must nest: sorted by size, each stride is at
+                               least the extent of the axis below it. Ignored on axes of size 1 */
+    uint16_t size[3];       /* voxels on x, y, z: 1 .. QV_AXIS_MAX */
+    uint8_t storage;        /* a qv_storage */
+} qv_volume;
+
+/*
+ * Checks a volume as qv_init does. Returns QV_OK or QV_ERROR_NULL, _STORAGE,
+ * _SIZE, _STRIDE, _PALETTE, _SPACING, _RESERVED.
+ */
+qv_status qv_volume_check(const qv_volume *volume);
+
+/* ---- Cameras ------------------------------------------------------------ */
+
+typedef int64_t qv_coord;  /* voxel or world coordinate, Q31.32 */
+typedef uint32_t qv_angle; /* 2^32 is a full turn */
+
+struct qv_context;
+struct qv_ray;
+
+/* Makes the ray of a pixel; the library's own are the two below. */
+typedef void qv_ray_setup(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y);
+void qv_ray_orthographic(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y);
+void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y);
+
+/*
+ * A camera: where the ray of pixel (x, y) goes. Fill it with qv_orthographic or
+ * qv_perspective, or by hand, as a matrix of the caller's own. Ranges below are
+ * checked by qv_init. Voxel coordinates; x and y count pixel centres.
+ *
+ *   orthographic: p = origin + x*across + y*down + (k + phase)*along
+ *                 pace is not used
+ *   perspective:  v = along + x*across + y*down   (a world direction, any length)
+ *                 p = origin + (k + phase)*pace * v/|v|,  k >= 0, by component
+ *
+ * Ranges: |origin| <= 2^20 voxels; |across|, |down| <= 2^12; |along| <= 2^6;
+ * the largest component of along (orthographic) and every pace (perspective)
+ * at least 2^-8 voxel, pace at most 2^6; perspective: |v| <= 4 on every axis
+ * and |v| >= 2^-4 for the pixels that are rendered, other pixels show the
+ * background. The vectors across, down and along must be independent: the
+ * determinant of the three, each scaled to length 1 in its largest component,
+ * is at least 2^-12.
+ */
+typedef struct qv_camera {
+    qv_coord origin[3];
+    qv_coord across[3];
+    qv_coord down[3];
+    qv_coord along[3];
+    qv_coord pace[3];     /* perspective: step by spacing, voxels per step */
+    uint32_t step;        /* length of the step in world units, Q16.16 */
+    qv_ray_setup *ray;    /* qv_ray_orthographic or qv_ray_perspective */
+} qv_camera;
+
+/*
+ * Rotation from binary angles. Rows of the result are the directions right,
+ * down and forward (into the picture) in world axes, Q2.30.
+ * Azimuth moves the viewer round the z axis, from -y towards +x; elevation
+ * lifts the viewer towards +z; roll turns the camera clockwise about its line
+ * of sight, hence the picture counter-clockwise. With all three 0 the rows are
+ * (1,0,0), (0,0,-1), (0,1,0). Exact at multiples of 90 degrees; else each
+ * component within 2^-27.
+ */
+void qv_rotation(int32_t rotation[3][3], qv_angle azimuth, qv_angle elevation, qv_angle roll);
+
+/*
+ * A view: a frame that looks at the centre of the volume's box.
+ */
+typedef struct qv_view {
+    int32_t rotation[3][3]; /* rows right, down, forward, Q2.30; from qv_rotation or the caller's
+                               own: components at most 1 in magnitude, determinant at least 2^-12
+                               as for qv_camera */
+    uint32_t pitch;         /* world units from pixel to pixel, at the volume's centre in perspective;
+                               Q16.16, 2^-12 .. 2^12 */
+    uint32_t step;          /* world units from sample to sample, Q16.16, 1/16 .. 16 */
+    uint16_t width;         /* of the whole frame in pixels, 1 .. QV_PIXEL_MAX */
+    uint16_t height;
+} qv_view;
+
+#define QV_PIXEL_MAX 32767
+
+/*
+ * Cameras for a view. The centre of the frame (the corner of four pixels where
+ * width and height are even) sees the centre of the box.
+ *
+ * qv_perspective: field_of_view is the angle from the top edge of the frame to
+ * the bottom edge, 1 .. 150 degrees; the eye lies where the plane through the
+ * volume's centre shows at the view's pitch.
+ *
+ * No sample is farther than 2^-11 voxel from the real-arithmetic ray of the
+ * same view, before its rounding to 1/256 voxel; with that rounding no farther
+ * than 1/256 voxel.
+ *
+ * Return QV_OK or QV_ERROR_NULL, _SIZE, _SPACING, _VIEW, _STEP (step outside
+ * 1/16 .. 16, or step by spacing outside 2^-8 .. 2^6), _CAMERA (rotation out of
+ * range or degenerate; eye farther than 2^20 voxels).
+ */
+qv_status qv_orthographic(qv_camera *camera, const qv_volume *volume, const qv_view *view);
+qv_status qv_perspective(qv_camera *camera, const qv_volume *volume, const qv_view *view,
+                         qv_angle field_of_view);
+
+/* ---- Sampling modes ----------------------------------------------------- */
+
+struct qv_light;
+
+/*
+ * A sampling mode for one storage, front to back or back to front. The caller
+ * names the modes it uses, and only those are linked. The fields are the
+ * library's own.
+ */
+typedef struct qv_sampling {
+    void (*march)(struct qv_light *light, struct qv_ray *ray, const struct qv_context *context);
+    uint32_t read_out; /* accumulated light to pixel levels, core/composite.h */
+    uint8_t storage;   /* the qv_storage it reads */
+} qv_sampling;
+
+/*
+ * nearest:  the voxel that contains the sample's rounded point; a point halfway
+ *           between two centres takes the one with the higher index.
+ * separate: colour and opacity interpolated trilinearly, each on its own, then
+ *           multiplied (Levoy's pipeline, Wittenbrink et al. section 2): wrong
+ *           at the border of materials, kept for comparison.
+ * weighted: opacity-weighted interpolation (Wittenbrink et al. equations 9-12):
+ *           weights in 4 multiplications and 19 additions, 36 and 47 in all.
+ *
+ * Weights have 16 fraction bits and sum to exactly 1; only the product xyz is
+ * rounded. Sums of 8-bit storage are exact (32 bits), those of 16-bit storage
+ * at most 2^-29 low. A cell whose eight opacities are 0 costs no multiplication.
+ *
+ * front_to_back modes end a ray at the context's termination threshold
+ * (equations 5, 6 and 8); back_to_front modes (equation 7) take every sample.
+ * Light and transmittance accumulate with 31 fraction bits, rounding to
+ * nearest at each sample, so n samples cost at most n * 2^-32.
+ */
+extern const qv_sampling qv_nearest_rgba8, qv_nearest_rgba16;
+extern const qv_sampling qv_nearest_indexed8, qv_nearest_indexed8_16;
+extern const qv_sampling qv_separate_rgba8, qv_separate_rgba16;
+extern const qv_sampling qv_separate_indexed8, qv_separate_indexed8_16;
+extern const qv_sampling qv_weighted_rgba8, qv_weighted_rgba16;
+extern const qv_sampling qv_weighted_indexed8, qv_weighted_indexed8_16;
+
+extern const qv_sampling qv_nearest_rgba8_back_to_front, qv_nearest_rgba16_back_to_front;
+extern const qv_sampling qv_nearest_indexed8_back_to_front, qv_nearest_indexed8_16_back_to_front;
+extern const qv_sampling qv_separate_rgba8_back_to_front, qv_separate_rgba16_back_to_front;
+extern const qv_sampling qv_separate_indexed8_back_to_front, qv_separate_indexed8_16_back_to_front;
+extern const qv_sampling qv_weighted_rgba8_back_to_front, qv_weighted_rgba16_back_to_front;
+extern const qv_sampling qv_weighted_indexed8_back_to_front, qv_weighted_indexed8_16_back_to_front;
+
+/* ---- Pixel formats ------------------------------------------------------ */
+
+struct qv_pixel;
+
+/*
+ * A pixel format, named by its bytes in memory. Channels of 8 bits round to
+ * nearest; narrower ones are dithered with an 8x8 ordered pattern taken from
+ * the absolute pixel position, so that 0 and 1 stay exactly 0 and full scale.
+ * Grey is (77 R + 150 G + 29 B) / 256. The fields are the library's own.
+ */
+typedef struct qv_format {
+    void (*store)(uint8_t *row, uint32_t column, uint32_t line, const struct qv_pixel *pixel);
+    uint8_t bits;  /* per pixel along a row */
+    uint8_t lines; /* pixel rows that share one row of bytes: 8 in qv_format_mono_vertical, else 1 */
+} qv_format;
+
+extern const qv_format qv_format_rgba8888;    /* R, G, B, A; associated colour */
+extern const qv_format qv_format_bgra8888;    /* B, G, R, A; associated colour */
+extern const qv_format qv_format_rgb888;      /* R, G, B */
+extern const qv_format qv_format_rgb565_le;   /* 16 bits, R in the highest 5; low byte first */
+extern const qv_format qv_format_rgb565_be;   /* the same; high byte first */
+extern const qv_format qv_format_l8;          /* grey */
+extern const qv_format qv_format_grey4;       /* two pixels a byte, the left one in the high bits */
+extern const qv_format qv_format_mono_horizontal; /* 8 pixels a byte, the leftmost in the MSB */
+extern const qv_format qv_format_mono_vertical;   /* 8 rows a byte, the topmost in the LSB */
+
+/* Bytes of one row of pixels, without padding: (width * bits + 7) / 8. */
+size_t qv_row_bytes(const qv_format *format, uint16_t width);
+
+/* ---- Rendering ---------------------------------------------------------- */
+
+typedef struct qv_scene {
+    qv_volume volume;
+    qv_camera camera;
+    const qv_sampling *sampling; /* must read the volume's storage */
+    uint16_t phase;              /* of the sample grid, Q0.16 of a step */
+    uint16_t termination;        /* transmittance, 65535 is 1, at or below which a front-to-back ray
+                                    ends; 0: only where nothing more can be seen.
+                                    QV_TERMINATION_DEFAULT costs at most 1/4 of an 8-bit level */
+    uint8_t background[4];       /* R, G, B (unweighted) and opacity; all 0: transparent */
+} qv_scene;
+
+#define QV_TERMINATION_DEFAULT 64
+
+/* A checked scene, ready to render. Plain data: it may be copied, and holds no
+   pointer into itself. Its fields are the library's own. */
+typedef struct qv_context {
+    qv_volume volume;
+    qv_camera camera;
+    const qv_sampling *sampling;
+    uint32_t background[4];  /* associated, levels with 16 fraction bits */
+    uint32_t termination;    /* transmittance, Q1.31 */
+    uint16_t phase;
+} qv_context;
+
+/*
+ * Checks a scene and makes a context of it. Returns QV_OK, or any error of
+ * qv_volume_check, or QV_ERROR_NULL, _STORAGE, _STEP, _UNIT, _CAMERA.
+ */
+qv_status qv_init(qv_context *context, const qv_scene *scene);
+
+typedef struct qv_rect { /* half-open: left <= x < right, top <= y < bottom */
+    int32_t left, top, right, bottom;
+} qv_rect;
+
+/*
+ * Where pixels go. Pixel (left, top) of the rectangle starts at pixels; the
+ * next row of bytes follows at pixels + stride, which may be negative (then
+ * the rows lie below pixels). bytes counts the memory that the rows may use:
+ * from pixels upwards, or with a negative stride from the lowest row to the
+ * end of the first. Only the bits of the rectangle's pixels are changed.
+ */
+typedef struct qv_image {
+    void *pixels;
+    size_t bytes;
+    ptrdiff_t stride;
+    const qv_format *format;
+} qv_image;
+
+/*
+ * Renders a rectangle in one call. Returns QV_OK, or QV_ERROR_NULL, _RECT,
+ * _BUFFER.
+ */
+qv_status qv_render(const qv_image *image, const qv_context *context, const qv_rect *rect);
+
+/*
+ * Rendering in bounded pieces: zero a qv_progress, then call qv_render_some
+ * until it returns QV_OK. Each call renders at most max_pixels pixels (at least
+ * one), row by row from the top, and returns QV_MORE while pixels remain; a
+ * caller may stop at any time. The pixels are those of qv_render. A ray takes
+ * at most 2^22 samples.
+ */
+typedef struct qv_progress {
+    uint32_t done;       /* pixels rendered so far */
+    uint32_t terminated; /* rays that ended at the termination threshold */
+    uint64_t samples;    /* samples that were taken, skipped ones included */
+    uint64_t skipped;    /* samples in cells whose opacities are all 0 */
+} qv_progress;
+
+qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_context *context,
+                         const qv_rect *rect, uint32_t max_pixels);
+
+/* ---- Transfer functions and classification ------------------------------- */
+
+/* A transfer table: 256 entries R,G,B,A of 16 bits, unweighted colours. As it
+   stands it is the palette of QV_STORAGE_INDEXED8_16. */
+typedef uint16_t qv_transfer[QV_PALETTE_ENTRIES][4];
+
+typedef struct qv_control_point {
+    uint8_t index;    /* table entry that gets exactly this colour */
+    uint16_t rgba[4]; /* unweighted colour and opacity for the unit distance */
+} qv_control_point;
+
+/*
+ * Builds a table from control points of strictly rising index: each channel
+ * linear between points, rounded to nearest with ties upwards; constant before
+ * the first and after the last. 32-bit arithmetic. Returns QV_OK or
+ * QV_ERROR_NULL, QV_ERROR_TRANSFER (count 0 or above 256, or index not rising).
+ */
+qv_status qv_transfer_build(qv_transfer table, const qv_control_point *points, uint16_t count);
+
+/* The same table with 8 bits a channel, each rounded to nearest. */
+void qv_transfer_to_palette8(uint8_t palette[QV_PALETTE_ENTRIES][4], qv_transfer table);
+
+typedef enum qv_scalar_type {
+    QV_SCALAR_U8 = 1,
+    QV_SCALAR_U16 = 2, /* machine byte order, 2-aligned */
+    QV_SCALAR_S16 = 3
+} qv_scalar_type;
+
+/* Scalars in the caller's memory; fields as in qv_volume. */
+typedef struct qv_scalars {
+    qv_address values;     /* value (0,0,0) */
+    uint64_t values_bytes; /* memory that the values span */
+    uint32_t spacing[3];
+    int32_t stride[3];
+    uint16_t size[3];
+    uint8_t type; /* a qv_scalar_type */
+} qv_scalars;
+
+/*
+ * Shading of voxels before they are stored (Wittenbrink et al. figure 3): the
+ * gradient by central differences in world units (at the border of the volume
+ * the outermost value is repeated), the normal against the gradient, and
+ *   colour = min(1, colour * (ambient + diffuse * max(0, n.l)) + specular * max(0, n.h)^(2^gloss))
+ * where h is halfway between light and viewer (Blinn-Phong; specular 0 is
+ * Lambert). Coefficients are Q0.8 with 256 as 1. Where the gradient's magnitude
+ * is below least_gradient, the voxel keeps its colour.
+ */
+typedef struct qv_shading {
+    int16_t light[3];        /* direction to the light in world axes, any length but 0 */
+    int16_t viewer[3];       /* direction to the viewer */
+    uint16_t ambient;        /* 0 .. 256 */
+    uint16_t diffuse;        /* 0 .. 256 */
+    uint16_t specular;       /* 0 .. 256 */
+    uint8_t gloss;           /* exponent 2^gloss, 0 .. 7 */
+    uint16_t least_gradient; /* window units of 1/256 of the window per world unit */
+} qv_shading;
+
+/*
+ * Classification. A scalar s becomes the table index
+ *   round(255 * (s - low) / (high - low)), clamped to 0 .. 255,
+ * where low and high are level -+ window/2. Then the table gives colour and
+ * opacity, shading changes the colour, and the voxel is stored.
+ */
+typedef struct qv_classifier {
+    qv_scalars scalars;
+    int32_t low, high;           /* of the scalars' values; low < high, each in -65536 .. 131071 */
+    const qv_transfer *transfer; /* may be null for QV_STORAGE_INDEXED8 and _16 */
+    const qv_shading *shading;   /* null: none; not used for indexed storage */
+} qv_classifier;
+
+/* A part of the volume, half-open on every axis. */
+typedef struct qv_block {
+    uint16_t first[3];
+    uint16_t end[3];
+} qv_block;
+
+/*
+ * Classifies a block into tightly packed voxels, x fastest, then y, then z:
+ * bytes must be at least the block's voxels times the storage's 4, 8 or 1.
+ * Blocks give the same voxels as the whole volume. Rounding: the index to
+ * nearest; shaded colours within 1 of 255, or 16 of 65535, of real arithmetic.
+ * Returns QV_OK or QV_ERROR_NULL, _STORAGE, _SIZE (also an empty block or one
+ * outside the volume), _STRIDE, _SPACING, _WINDOW, _LIGHT, _BUFFER.
+ */
+qv_status qv_classify(void *voxels, size_t bytes, qv_storage storage,
+                      const qv_classifier *classifier, const qv_block *block);
+
+/*
+ * Reduces scalars by whole factors: each result is the mean of a box of
+ * factor[0] x factor[1] x factor[2] values (those of them inside the volume, at
+ * its upper faces), rounded to nearest. The result has ceil(size/factor) values
+ * an axis, tightly packed, in the same type; slices first_z <= z < end_z of it
+ * are written. Factors 1 .. 64. Returns QV_OK or QV_ERROR_NULL, _STORAGE (type),
+ * _SIZE, _STRIDE, _BUFFER.
+ */
+qv_status qv_reduce(void *values, size_t bytes, const qv_scalars *scalars, const uint8_t factor[3],
+                    uint16_t first_z, uint16_t end_z);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* QVOL_H */
