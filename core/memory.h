@@ -1,0 +1,33 @@
+/*
+ * memory.h - how voxels, palettes and scalars are read.
+ *
+ * Every such access goes through these functions and qv_at; a port maps them to
+ * its program memory (see QV_MEMORY_HEADER in qvol.h) and no kernel changes.
+ */
+#ifndef QV_MEMORY_H
+#define QV_MEMORY_H
+
+#include "qvol.h"
+
+#ifndef QV_MEMORY_HEADER
+
+static inline qv_address qv_at(qv_address base, qv_offset offset)
+{
+    return base + offset;
+}
+
+static inline uint8_t qv_read8(qv_address address)
+{
+    return *address;
+}
+
+/* A uint16_t in the machine's byte order, at an even address. */
+static inline uint16_t qv_read16(qv_address address)
+{
+    const void *aligned = address;
+    return *(const uint16_t *)aligned;
+}
+
+#endif
+
+#endif /* QV_MEMORY_H */

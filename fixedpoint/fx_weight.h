@@ -1,0 +1,106 @@
+/*
+ * fx_weight.h - the numbers of trilinear interpolation and their operations.
+ *
+ *   fx_fraction  Q0.8    place between two voxel centres
+ *   fx_weight    Q1.16   of one voxel, 65536 is 1
+ *   fx_channel           colour or opacity as stored, 8 or 16 bits
+ *   fx_share             weight * opacity: the weighted weight of equation 11
+ *   fx_sum               share or weight * channel, and sums of them
+ *
+ * Units of 1:        8-bit storage       16-bit storage
+ *   fx_share         65536 * 255         65536 * 65535
+ *   fx_sum, weighted 65536 * 255 * 255   65535 * 65535
+ *   fx_sum, separate 65536 * 255         65536 * 65535
+ *
+ * Eight weights sum to 65536, so sums of 8-bit storage are at most 65536 * 255^2
+ * = 4261478400 and those of 16-bit storage at most 65536 * 65535 = 4294901760:
+ * both below 2^32. Source: Wittenbrink, Malzbender, Goss 1998, section 6.
+ */
+#ifndef FX_WEIGHT_H
+#define FX_WEIGHT_H
+
+#include "fx_number.h"
+#include "fx_wide.h"
+
+FX_NUMBER(fx_fraction)
+FX_NUMBER(fx_weight)
+FX_NUMBER(fx_channel)
+FX_NUMBER(fx_share)
+FX_NUMBER(fx_sum)
+
+#define FX_WEIGHT_ONE 65536u
+
+/* The fraction as a weight: exact. */
+static inline fx_weight fx_weight_of_fraction(fx_fraction f)
+{
+    return fx_weight_of(fx_fraction_bits(f) << 8);
+}
+
+/* f * g: exact. */
+static inline fx_weight fx_fraction_mul(fx_fraction f, fx_fraction g)
+{
+    FX_COUNT(fx_multiplications);
+    return fx_weight_of(fx_fraction_bits(f) * fx_fraction_bits(g));
+}
+
+/* w * f, to nearest, ties upwards: the one rounding among the weights. */
+static inline fx_weight fx_weight_mul(fx_weight w, fx_fraction f)
+{
+    FX_COUNT(fx_multiplications);
+    return fx_weight_of((fx_weight_bits(w) * fx_fraction_bits(f) + 128u) >> 8);
+}
+
+static inline fx_weight fx_weight_add(fx_weight v, fx_weight w)
+{
+    FX_COUNT(fx_additions);
+    return fx_weight_of(fx_weight_bits(v) + fx_weight_bits(w));
+}
+
+/* v - w for w <= v; counted as an addition, as the paper counts. */
+static inline fx_weight fx_weight_sub(fx_weight v, fx_weight w)
+{
+    FX_COUNT(fx_additions);
+    return fx_weight_of(fx_weight_bits(v) - fx_weight_bits(w));
+}
+
+/* w * a: exact; at most 65536 * 65535. */
+static inline fx_share fx_share_mul(fx_weight w, fx_channel a)
+{
+    FX_COUNT(fx_multiplications);
+    return fx_share_of(fx_weight_bits(w) * fx_channel_bits(a));
+}
+
+static inline fx_share fx_share_add(fx_share s, fx_share t)
+{
+    FX_COUNT(fx_additions);
+    return fx_share_of(fx_share_bits(s) + fx_share_bits(t));
+}
+
+/* w * c for separate interpolation: exact. */
+static inline fx_sum fx_sum_of_weight(fx_weight w, fx_channel c)
+{
+    FX_COUNT(fx_multiplications);
+    return fx_sum_of(fx_weight_bits(w) * fx_channel_bits(c));
+}
+
+/* s * c for 8-bit storage: exact. */
+static inline fx_sum fx_sum_of_share8(fx_share s, fx_channel c)
+{
+    FX_COUNT(fx_multiplications);
+    return fx_sum_of(fx_share_bits(s) * fx_channel_bits(c));
+}
+
+/* floor(s * c / 2^16) for 16-bit storage: at most one unit of 2^-32 low. */
+static inline fx_sum fx_sum_of_share16(fx_share s, fx_channel c)
+{
+    FX_COUNT(fx_multiplications);
+    return fx_sum_of(fx_product_shift16(fx_share_bits(s), (uint16_t)fx_channel_bits(c)));
+}
+
+static inline fx_sum fx_sum_add(fx_sum s, fx_sum t)
+{
+    FX_COUNT(fx_additions);
+    return fx_sum_of(fx_sum_bits(s) + fx_sum_bits(t));
+}
+
+#endif /* FX_WEIGHT_H */
