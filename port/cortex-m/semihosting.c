@@ -1,0 +1,61 @@
+/*
+ * semihosting.c - calls of the host by the breakpoint instruction.
+ */
+#include "semihosting.h"
+
+typedef enum {
+    SYS_WRITE0 = 0x04,       /* writes a string */
+    SYS_GET_CMDLINE = 0x15,  /* reads the command line */
+    SYS_EXIT_EXTENDED = 0x20 /* ends the program with an exit code */
+} operation;
+
+/* Reason of an exit: the application says so. */
+#define ADP_STOPPED_APPLICATION_EXIT 0x20026u
+
+/* A parameter block is an array of machine words; SYS_WRITE0 takes a string. */
+static uint32_t call_host(operation what, const volatile void *parameters)
+{
+    register uint32_t r0 __asm__("r0") = what;
+    register const volatile void *r1 __asm__("r1") = parameters;
+    __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
+    return r0;
+}
+
+void console_text(const char *text)
+{
+    (void)call_host(SYS_WRITE0, text);
+}
+
+void console_decimal(uint32_t number)
+{
+    char digits[11]; /* 2^32 - 1 has ten, then a zero */
+    char *first = digits + sizeof digits - 1;
+    *first = '\0';
+    do {
+        *--first = (char)('0' + number % 10);
+        number /= 10;
+    } while (number != 0);
+    console_text(first);
+}
+
+void console_hexadecimal(uint32_t number)
+{
+    char digits[9];
+    for (size_t i = 0; i < 8; i++)
+        digits[i] = "0123456789abcdef"[(number >> (28 - 4 * i)) & 15u];
+    digits[8] = '\0';
+    console_text(digits);
+}
+
+bool semihosting_command_line(char *line, size_t bytes)
+{
+    volatile uint32_t block[2] = {(uint32_t)line, bytes};
+    return call_host(SYS_GET_CMDLINE, block) == 0;
+}
+
+void semihosting_exit(int code)
+{
+    volatile uint32_t block[2] = {ADP_STOPPED_APPLICATION_EXIT, (uint32_t)code};
+    for (;;)
+        (void)call_host(SYS_EXIT_EXTENDED, block);
+}

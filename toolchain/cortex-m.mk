@@ -1,0 +1,22 @@
+# What all Cortex-M targets share. A target sets TARGET_BOARD, TARGET_CPU,
+# TARGET_SYSTICK_HZ and TARGET_PACKAGES, and includes this file.
+TARGET_CC := arm-none-eabi-gcc
+TARGET_AR := arm-none-eabi-ar
+TARGET_NM := arm-none-eabi-nm
+TARGET_SIZE := arm-none-eabi-size
+
+# Optimisation of the library and the firmware: make OPTIMISE=-O3 TARGET=...
+OPTIMISE ?= -Os
+TARGET_CFLAGS := $(TARGET_CPU) $(OPTIMISE) -ffreestanding -ffunction-sections -fdata-sections
+
+# bytes.c defines memcpy and memset: their loops must stay loops.
+TARGET_PORT_CFLAGS := -fno-tree-loop-distribute-patterns -DSYSTICK_HZ=$(TARGET_SYSTICK_HZ)u
+TARGET_PORT := $(addprefix port/cortex-m/,startup.c bytes.c semihosting.c stack.c systick.c \
+	oled.c measure.c) port/crc32.c
+
+TARGET_LDFLAGS := $(TARGET_CPU) -nostdlib -Wl,--gc-sections -Ltoolchain \
+	-T toolchain/$(TARGET_BOARD).ld
+TARGET_LDLIBS := -lgcc
+
+# Runs a firmware: $(TARGET_RUN) FILE.elf [ARGUMENT...]
+TARGET_RUN := toolchain/emulate $(TARGET_BOARD)
