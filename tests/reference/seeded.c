@@ -1,0 +1,267 @@
+#include "seeded.h"
+#include "random.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+/* ---- The view ----------------------------------------------------------- */
+
+static uint32_t to_q16(double value)
+{
+    return (uint32_t)floor(value * 65536 + 0.5);
+}
+
+/* Any angle; one in four is a multiple of 45 degrees, where ties and faces meet samples. */
+static qv_angle draw_angle(ref_random *random)
+{
+    const qv_angle angle = ref_random_next(random);
+    return ref_random_once_in(random, 4) ? angle & 0xe0000000u : angle;
+}
+
+static double diagonal(const qv_volume *volume)
+{
+    double sum = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double edge = volume->size[axis] * (volume->spacing[axis] / 65536.0);
+        sum += edge * edge;
+    }
+    return sqrt(sum);
+}
+
+/* The same view twice: as the library takes it and in real numbers. */
+static void draw_view(qv_view *view, ref_view *real, const qv_volume *volume, ref_random *random)
+{
+    const qv_angle azimuth = draw_angle(random);
+    const qv_angle elevation = draw_angle(random);
+    const qv_angle roll = draw_angle(random);
+    const uint32_t longest = 40, shortest = 24; /* pixels of an edge of the frame */
+    view->width = (uint16_t)(shortest + ref_random_below(random, longest - shortest));
+    view->height = (uint16_t)(shortest + ref_random_below(random, longest - shortest));
+    view->pitch = to_q16(diagonal(volume) / longest * ref_random_real(random, 0.4, 1.1));
+    view->step = to_q16(ref_random_scale(random, 1.0 / 16, 4));
+    qv_rotation(view->rotation, azimuth, elevation, roll);
+    ref_rotation(real->rotation, azimuth, elevation, roll);
+    real->pitch = view->pitch / 65536.0;
+    real->step = view->step / 65536.0;
+    real->width = view->width;
+    real->height = view->height;
+}
+
+static qv_status draw_camera(seeded_scene *made, ref_random *random)
+{
+    qv_camera *camera = &made->scene.camera;
+    qv_view view;
+    draw_view(&view, &made->view, &made->scene.volume, random);
+    if (ref_random_once_in(random, 2)) {
+        made->view.field_of_view = 0;
+        return qv_orthographic(camera, &made->scene.volume, &view);
+    }
+    const double degrees = ref_random_real(random, 5, 120);
+    const qv_angle angle = (qv_angle)(degrees / 360 * 4294967296.0);
+    made->view.field_of_view = angle / 4294967296.0 * 2 * pi;
+    return qv_perspective(camera, &made->scene.volume, &view, angle);
+}
+
+static void draw_background(uint8_t background[4], ref_random *random)
+{
+    const bool transparent = ref_random_once_in(random, 2);
+    for (int channel = 0; channel < 4; channel++) {
+        const uint8_t level = (uint8_t)ref_random_below(random, 256);
+        background[channel] = transparent ? 0 : level;
+    }
+}
+
+/* ---- The volume's shape ------------------------------------------------- */
+
+static void draw_size(qv_volume *volume, ref_random *random)
+{
+    const bool cubic = ref_random_once_in(random, 3);
+    for (int axis = 0; axis < 3; axis++) {
+        const uint32_t size = 1 + ref_random_below(random, SEEDED_LONGEST_AXIS);
+        const double spacing = ref_random_scale(random, 0.4, 2.5);
+        volume->size[axis] = (uint16_t)(ref_random_once_in(random, 8) ? 1 : size);
+        volume->spacing[axis] = cubic ? QV_ONE_Q16 : to_q16(spacing);
+    }
+}
+
+static uint32_t voxel_bytes(qv_storage storage)
+{
+    return storage == QV_STORAGE_RGBA16 ? 8 : storage == QV_STORAGE_RGBA8 ? 4 : 1;
+}
+
+/*
+ * Lays the axes out in a drawn order with drawn gaps between their rows, and
+ * lets some run downwards. Returns the offset of voxel (0,0,0).
+ */
+static size_t draw_strides(qv_volume *volume, ref_random *random)
+{
+    uint32_t order[3] = {0, 1, 2}, extent = voxel_bytes((qv_storage)volume->storage);
+    size_t first = 0;
+    for (uint32_t level = 0; level < 3; level++) {
+        const uint32_t pick = level + ref_random_below(random, 3 - level);
+        const uint32_t axis = order[pick];
+        order[pick] = order[level];
+        const uint32_t gap = 2 * ref_random_below(random, 4); /* bytes, even for 16-bit data */
+        const uint32_t stride = extent + gap, reach = stride * (volume->size[axis] - 1u);
+        const bool downwards = ref_random_once_in(random, 3);
+        volume->stride[axis] = downwards ? -(int32_t)stride : (int32_t)stride;
+        first += downwards ? reach : 0;
+        extent += reach;
+    }
+    volume->voxels_bytes = extent;
+    return first;
+}
+
+/* ---- What fills it ------------------------------------------------------ */
+
+typedef struct wave {
+    double turns[3]; /* per voxel */
+    double phase;
+} wave;
+
+typedef enum filling_kind { NOISE, WAVES, SPARSE, CONSTANT, FILLINGS } filling_kind;
+
+typedef struct filling {
+    filling_kind kind;
+    uint32_t thinning; /* opacities are shifted right by this */
+    uint16_t constant[4];
+    wave waves[4];
+} filling;
+
+static const char *const filling_names[FILLINGS] = {"noise", "waves", "sparse", "constant"};
+
+static void draw_filling(filling *drawn, ref_random *random)
+{
+    static const filling_kind kinds[8] = {NOISE, NOISE, NOISE,  WAVES,
+                                          WAVES, WAVES, SPARSE, CONSTANT};
+    drawn->kind = kinds[ref_random_below(random, 8)];
+    drawn->thinning = ref_random_below(random, 7);
+    for (int channel = 0; channel < 4; channel++) {
+        drawn->constant[channel] = (uint16_t)ref_random_next(random);
+        for (int axis = 0; axis < 3; axis++) {
+            drawn->waves[channel].turns[axis] = ref_random_real(random, -0.1, 0.1);
+        }
+        drawn->waves[channel].phase = ref_random_real(random, 0, 1);
+    }
+}
+
+static uint16_t wave_height(const wave *w, const int32_t at[3])
+{
+    const double turns = w->turns[0] * at[0] + w->turns[1] * at[1] + w->turns[2] * at[2];
+    return (uint16_t)(32767.5 + 32767.5 * sin(2 * pi * (turns + w->phase)));
+}
+
+/* One colour of 16 bits a channel, at a voxel or, for palettes, along a line of entries. */
+static void draw_colour(uint16_t rgba[4], const filling *from, const int32_t at[3],
+                        ref_random *random)
+{
+    for (int channel = 0; channel < 4; channel++) {
+        const uint16_t noise = (uint16_t)ref_random_next(random);
+        const uint16_t height = wave_height(&from->waves[channel], at);
+        rgba[channel] = from->kind == WAVES      ? height
+                        : from->kind == CONSTANT ? from->constant[channel]
+                                                 : noise;
+    }
+    rgba[3] = (uint16_t)(rgba[3] >> from->thinning);
+    const bool empty = from->kind == SPARSE && !ref_random_once_in(random, 8);
+    if (empty) {
+        rgba[3] = 0;
+    }
+}
+
+static void store8(unsigned char *bytes, const uint16_t rgba[4])
+{
+    for (int channel = 0; channel < 4; channel++) {
+        bytes[channel] = (unsigned char)(rgba[channel] >> 8);
+    }
+}
+
+static void store16(unsigned char *bytes, const uint16_t rgba[4])
+{
+    memcpy(bytes, rgba, 8);
+}
+
+static void store_voxel(unsigned char *voxel, qv_storage storage, const uint16_t rgba[4])
+{
+    if (storage == QV_STORAGE_RGBA8) {
+        store8(voxel, rgba);
+    } else if (storage == QV_STORAGE_RGBA16) {
+        store16(voxel, rgba);
+    } else {
+        *voxel = (unsigned char)(rgba[0] >> 8);
+    }
+}
+
+static void fill_voxels(unsigned char *origin, const qv_volume *volume, const filling *from,
+                        ref_random *random)
+{
+    int32_t at[3];
+    uint16_t rgba[4];
+    for (at[2] = 0; at[2] < volume->size[2]; at[2]++) {
+        for (at[1] = 0; at[1] < volume->size[1]; at[1]++) {
+            for (at[0] = 0; at[0] < volume->size[0]; at[0]++) {
+                const ptrdiff_t offset = (ptrdiff_t)at[0] * volume->stride[0] +
+                                         (ptrdiff_t)at[1] * volume->stride[1] +
+                                         (ptrdiff_t)at[2] * volume->stride[2];
+                draw_colour(rgba, from, at, random);
+                store_voxel(origin + offset, (qv_storage)volume->storage, rgba);
+            }
+        }
+    }
+}
+
+static void fill_palette(seeded_scene *made, const filling *from, ref_random *random)
+{
+    const bool wide = made->scene.volume.storage == QV_STORAGE_INDEXED8_16;
+    for (int32_t entry = 0; entry < QV_PALETTE_ENTRIES; entry++) {
+        const int32_t at[3] = {entry, 0, 0};
+        uint16_t rgba[4];
+        draw_colour(rgba, from, at, random);
+        if (wide) {
+            store16(made->palette + 8 * entry, rgba);
+        } else {
+            store8(made->palette + 4 * entry, rgba);
+        }
+    }
+    made->scene.volume.palette = made->palette;
+    made->scene.volume.palette_bytes = wide ? QV_PALETTE16_BYTES : QV_PALETTE8_BYTES;
+}
+
+/* ---- All together ------------------------------------------------------- */
+
+qv_status seeded_make(seeded_scene *made, uint32_t seed, qv_storage storage)
+{
+    ref_random random = ref_random_seeded(seed);
+    qv_volume *volume = &made->scene.volume;
+    filling from;
+    memset(made, 0, sizeof *made);
+    draw_size(volume, &random);
+    draw_background(made->scene.background, &random);
+    const uint16_t phase = (uint16_t)ref_random_next(&random);
+    made->scene.phase = ref_random_once_in(&random, 3) ? 0 : phase;
+    const qv_status status = draw_camera(made, &random);
+    volume->storage = (uint8_t)storage;
+    const size_t first = draw_strides(volume, &random);
+    made->memory = malloc(volume->voxels_bytes);
+    if (made->memory == NULL) {
+        return QV_ERROR_NULL;
+    }
+    memset(made->memory, 0xff, volume->voxels_bytes); /* gaps must not be read */
+    volume->voxels = made->memory + first;
+    draw_filling(&from, &random);
+    made->filling = filling_names[from.kind];
+    fill_voxels(made->memory + first, volume, &from, &random);
+    if (storage == QV_STORAGE_INDEXED8 || storage == QV_STORAGE_INDEXED8_16) {
+        fill_palette(made, &from, &random);
+    }
+    return status;
+}
+
+void seeded_free(seeded_scene *made)
+{
+    free(made->memory);
+    made->memory = NULL;
+}
