@@ -171,24 +171,24 @@ void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, in
  * checked by qv_init. Voxel coordinates; x and y count pixel centres.
  *
  *   orthographic: p = origin + x*across + y*down + (k + phase)*along
- *                 pace is not used
+ *                 pace is 0 on every axis
  *   perspective:  v = along + x*across + y*down   (a world direction, any length)
  *                 p = origin + (k + phase)*pace * v/|v|,  k >= 0, by component
  *
  * Ranges: |origin| <= 2^20 voxels; |across|, |down| <= 2^12; |along| <= 2^6;
  * the largest component of along (orthographic) and every pace (perspective)
- * at least 2^-8 voxel, pace at most 2^6; perspective: |v| <= 4 on every axis
+ * at least 2^-8 voxel, pace at most 2^6; perspective: |v| <= 8 on every axis
  * and |v| >= 2^-4 for the pixels that are rendered, other pixels show the
- * background. The vectors across, down and along must be independent: the
- * determinant of the three, each scaled to length 1 in its largest component,
- * is at least 2^-12.
+ * background, as do all where pace is 0. The vectors across, down and along must be independent: the
+ * determinant of the three, each divided by its largest component, is at least
+ * 2^-12 in magnitude.
  */
 typedef struct qv_camera {
     qv_coord origin[3];
     qv_coord across[3];
     qv_coord down[3];
     qv_coord along[3];
-    qv_coord pace[3];     /* perspective: step by spacing, voxels per step */
+    qv_coord pace[3];     /* perspective: step by spacing, voxels per step; orthographic: 0 */
     uint32_t step;        /* length of the step in world units, Q16.16 */
     qv_ray_setup *ray;    /* qv_ray_orthographic or qv_ray_perspective */
 } qv_camera;
@@ -209,10 +209,9 @@ void qv_rotation(int32_t rotation[3][3], qv_angle azimuth, qv_angle elevation, q
  */
 typedef struct qv_view {
     int32_t rotation[3][3]; /* rows right, down, forward, Q2.30; from qv_rotation or the caller's
-                               own: components at most 1 in magnitude, determinant at least 2^-12
-                               as for qv_camera */
+                               own: components at most 1 in magnitude */
     uint32_t pitch;         /* world units from pixel to pixel, at the volume's centre in perspective;
-                               Q16.16, 2^-12 .. 2^12 */
+                               Q16.16, 2^-12 .. 2^12; by spacing at most 2^12 */
     uint32_t step;          /* world units from sample to sample, Q16.16, 1/16 .. 16 */
     uint16_t width;         /* of the whole frame in pixels, 1 .. QV_PIXEL_MAX */
     uint16_t height;
@@ -232,9 +231,10 @@ typedef struct qv_view {
  * same view, before its rounding to 1/256 voxel; with that rounding no farther
  * than 1/256 voxel.
  *
- * Return QV_OK or QV_ERROR_NULL, _SIZE, _SPACING, _VIEW, _STEP (step outside
- * 1/16 .. 16, or step by spacing outside 2^-8 .. 2^6), _CAMERA (rotation out of
- * range or degenerate; eye farther than 2^20 voxels).
+ * Return QV_OK or QV_ERROR_NULL, _SIZE, _SPACING, _VIEW (also, in perspective, a
+ * frame higher than 65535 world units), _STEP (step outside 1/16 .. 16, or step
+ * by spacing outside 2^-8 .. 2^6), _CAMERA (rotation out of range). Whether the
+ * rotation is degenerate, and whether the eye is in range, qv_init tells.
  */
 qv_status qv_orthographic(qv_camera *camera, const qv_volume *volume, const qv_view *view);
 qv_status qv_perspective(qv_camera *camera, const qv_volume *volume, const qv_view *view,
@@ -299,8 +299,9 @@ struct qv_pixel;
  */
 typedef struct qv_format {
     void (*store)(uint8_t *row, uint32_t column, uint32_t line, const struct qv_pixel *pixel);
-    uint8_t bits;  /* per pixel along a row */
-    uint8_t lines; /* pixel rows that share one row of bytes: 8 in qv_format_mono_vertical, else 1 */
+    uint8_t bits;       /* per pixel along a row */
+    uint8_t line_shift; /* 2^line_shift rows of pixels share one row of bytes: 3 in
+                           qv_format_mono_vertical, else 0 */
 } qv_format;
 
 extern const qv_format qv_format_rgba8888;    /* R, G, B, A; associated colour */
@@ -377,10 +378,12 @@ qv_status qv_render(const qv_image *image, const qv_context *context, const qv_r
  * until it returns QV_OK. Each call renders at most max_pixels pixels (at least
  * one), row by row from the top, and returns QV_MORE while pixels remain; a
  * caller may stop at any time. The pixels are those of qv_render. A ray takes
- * at most 2^22 samples.
+ * at most 2^23 samples. Returns QV_OK, QV_MORE, or QV_ERROR_NULL, _RECT (also
+ * for a progress outside the rectangle), _BUFFER.
  */
 typedef struct qv_progress {
-    uint32_t done;       /* pixels rendered so far */
+    uint16_t column;     /* next pixel, counted from the rectangle's left top */
+    uint16_t line;       /* the rectangle's height where all are done */
     uint32_t terminated; /* rays that ended at the termination threshold */
     uint64_t samples;    /* samples that were taken, skipped ones included */
     uint64_t skipped;    /* samples in cells whose opacities are all 0 */

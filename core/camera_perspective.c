@@ -1,0 +1,111 @@
+#include "camera.h"
+#include "fx_angle.h"
+#include "fx_root.h"
+#include "fx_wide.h"
+#include "layout.h"
+#include "ray.h"
+
+#define DEGREE_ROUNDED_UP 0x00B60B61u /* 2^32 / 360 */
+#define LEAST_FIELD       DEGREE_ROUNDED_UP
+#define MOST_FIELD        0x6AAAAAAAu /* 150 degrees */
+
+/* Directions are cut from Q31.32 to Q5.27 before they are normalised. */
+#define DIRECTION_SHIFT 5
+#define MOST_DIRECTION  (QV_VOXEL * 8)
+#define LEAST_SQUARE    ((uint64_t)1 << 46) /* (2^-4 in Q5.27)^2 */
+
+/*
+ * Distance from the eye to the volume's centre in world units, Q31.32: half the
+ * frame's height by the tangent of half the field. height_q16 is Q16.16; the
+ * cotangent is at most 115 < 2^7, so the result is below 2^55.
+ */
+static qv_coord eye_distance(uint32_t height_q16, int32_t sine, int32_t cosine)
+{
+    uint64_t cotangent = fx_divide((uint64_t)(uint32_t)cosine << 32, (uint32_t)sine); /* Q32 */
+    uint64_t low = fx_wide_product(height_q16, (uint32_t)cotangent);
+    uint64_t high = fx_wide_product(height_q16, (uint32_t)(cotangent >> 32));
+    return (qv_coord)((low >> 17) + (high << 15)); /* height * cotangent * 2^48 / 2^17 */
+}
+
+/* World units from pixel to pixel at distance 1, Q31.32: twice the tangent of
+   half the field by the rows of the frame. */
+static qv_coord pixel_slope(uint16_t height, int32_t sine, int32_t cosine)
+{
+    uint64_t tangent = fx_divide((uint64_t)(uint32_t)sine << 32, (uint32_t)cosine); /* < 2^34 */
+    return (qv_coord)fx_divide(2u * tangent + height / 2u, height);
+}
+
+qv_status qv_perspective(qv_camera *camera, const qv_volume *volume, const qv_view *view,
+                         qv_angle field_of_view)
+{
+    if (!camera || !volume || !view)
+        return QV_ERROR_NULL;
+    qv_status status = qv_view_check(volume, view);
+    if (status != QV_OK)
+        return status;
+    uint64_t height = fx_wide_product(view->pitch, view->height);
+    if (field_of_view < LEAST_FIELD || field_of_view > MOST_FIELD || height > 0xFFFFFFFFu)
+        return QV_ERROR_VIEW;
+
+    int32_t sine, cosine;
+    fx_sine_cosine(&sine, &cosine, field_of_view / 2u);
+    qv_coord distance = eye_distance((uint32_t)height, sine, cosine);
+    qv_coord slope = pixel_slope(view->height, sine, cosine);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        uint32_t spacing = qv_spacing(volume->spacing, axis);
+        int32_t forward = view->rotation[2][axis];
+        qv_coord to_centre = qv_to_voxels(fx_scale_q30(distance, forward), spacing);
+        camera->origin[axis] = volume->size[axis] * (QV_VOXEL / 2) - to_centre;
+        camera->across[axis] = fx_scale_q30(slope, view->rotation[0][axis]);
+        camera->down[axis] = fx_scale_q30(slope, view->rotation[1][axis]);
+        camera->along[axis] = (qv_coord)forward * 4 - qv_half_frame(camera, axis, view);
+        camera->pace[axis] = qv_to_voxels((qv_coord)view->step << 16, spacing);
+    }
+    camera->step = view->step;
+    camera->ray = qv_ray_perspective;
+    return QV_OK;
+}
+
+/* Scales a world direction to length 1, Q2.30; 0 where it is too long or too
+   short to be scaled. */
+static int normalise(int32_t unit[3], const qv_coord direction[3])
+{
+    uint32_t size[3];
+    uint64_t square = 0;
+    unsigned exponent;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        qv_coord v = direction[axis] < 0 ? -direction[axis] : direction[axis];
+        if (v > MOST_DIRECTION)
+            return 0;
+        size[axis] = (uint32_t)((v + (1 << (DIRECTION_SHIFT - 1))) >> DIRECTION_SHIFT); /* <= 2^30 */
+        square += fx_wide_product(size[axis], size[axis]); /* <= 3 * 2^60 */
+    }
+    if (square < LEAST_SQUARE)
+        return 0;
+    uint32_t root = fx_rsqrt(square, &exponent);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        /* size * root <= 2^61; exponent >= 24; the quotient is at most 2^30 and a little */
+        uint64_t product = fx_wide_product(size[axis], root) + ((uint64_t)1 << (exponent - 1u));
+        int32_t length = (int32_t)(product >> exponent);
+        length = length > FX_ONE_Q30 ? FX_ONE_Q30 : length;
+        unit[axis] = direction[axis] < 0 ? -length : length;
+    }
+    return 1;
+}
+
+void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y)
+{
+    const qv_camera *camera = &context->camera;
+    qv_coord direction[3];
+    int32_t unit[3];
+    for (unsigned axis = 0; axis < 3; axis++)
+        direction[axis] = qv_pixel_point(camera->along, camera, axis, x, y);
+    ray->samples = 0;
+    if (camera->pace[0] == 0 || !normalise(unit, direction))
+        return;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        ray->advance[axis] = fx_scale_q30(camera->pace[axis], unit[axis]);
+        ray->place[axis] = camera->origin[axis] + qv_phase_of(ray->advance[axis], context->phase);
+    }
+    qv_ray_clip(ray, context->volume.size, 0);
+}

@@ -1,0 +1,99 @@
+/*
+ * march.h - the loop over a ray's samples, which every sampling mode shares.
+ *
+ * Modes and storage are constants at each call, and all of it is inlined.
+ */
+#ifndef QV_MARCH_H
+#define QV_MARCH_H
+
+#include "composite.h"
+#include "sample.h"
+
+QV_INLINE void qv_advance(qv_ray *ray)
+{
+    for (unsigned axis = 0; axis < 3; axis++)
+        ray->place[axis] += ray->advance[axis];
+}
+
+/* Takes the ray's next sample; returns 0 where there is nothing to see. */
+QV_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
+                      const qv_volume *volume, unsigned storage, qv_mode *mode)
+{
+    qv_cell cell;
+    qv_sample sample;
+    qv_cell_locate(&cell, volume, ray);
+    if (!mode(&sample, &cell, volume, storage))
+        return 0;
+    for (unsigned c = 0; c < 3; c++)
+        colour[c] = fx_sum_bits(sample.light[c]);
+    *opacity = qv_opacity_q32(sample.opacity, storage);
+    return 1;
+}
+
+/* Front to back. ray->samples counts down to those that were not taken. */
+QV_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
+                        qv_mode *mode)
+{
+    while (ray->samples != 0) {
+        uint32_t colour[3], opacity;
+        ray->samples--;
+        if (!qv_take(colour, &opacity, ray, &context->volume, storage, mode)) {
+            light->skipped++;
+        } else {
+            qv_under(light, colour, opacity);
+            if (light->transmittance <= context->termination) {
+                light->terminated = ray->samples != 0;
+                return;
+            }
+        }
+        qv_advance(ray);
+    }
+}
+
+/* Turns a ray round: it starts at its last sample and runs towards the viewer. */
+QV_INLINE void qv_reverse(qv_ray *ray)
+{
+    int32_t last = (int32_t)(ray->samples - 1u);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        ray->place[axis] += last * ray->advance[axis];
+        ray->advance[axis] = -ray->advance[axis];
+    }
+}
+
+/* Back to front: every sample is taken. */
+QV_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *context,
+                             unsigned storage, qv_mode *mode)
+{
+    for (qv_reverse(ray); ray->samples != 0; ray->samples--) {
+        uint32_t colour[3], opacity;
+        if (qv_take(colour, &opacity, ray, &context->volume, storage, mode))
+            qv_over(light, colour, opacity);
+        else
+            light->skipped++;
+        qv_advance(ray);
+    }
+}
+
+/*
+ * Defines the sampling mode qv_MODE_SUFFIX for a storage, in both orders. A macro
+ * because the descriptors are public names; the code is qv_march.
+ */
+#define QV_DEFINE_SAMPLING(mode, suffix, storage, read_out)                                        \
+    static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
+    {                                                                                              \
+        qv_march(light, ray, context, storage, qv_sample_##mode);                                  \
+    }                                                                                              \
+    static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
+    {                                                                                              \
+        qv_march_back(light, ray, context, storage, qv_sample_##mode);                             \
+    }                                                                                              \
+    const qv_sampling qv_##mode##_##suffix = {march_##suffix, read_out, storage};                  \
+    const qv_sampling qv_##mode##_##suffix##_back_to_front = {march_back_##suffix, read_out, storage};
+
+#define QV_DEFINE_SAMPLINGS(mode)                                                                  \
+    QV_DEFINE_SAMPLING(mode, rgba8, QV_STORAGE_RGBA8, QV_READ_OUT_8)                               \
+    QV_DEFINE_SAMPLING(mode, rgba16, QV_STORAGE_RGBA16, QV_READ_OUT_16)                            \
+    QV_DEFINE_SAMPLING(mode, indexed8, QV_STORAGE_INDEXED8, QV_READ_OUT_8)                         \
+    QV_DEFINE_SAMPLING(mode, indexed8_16, QV_STORAGE_INDEXED8_16, QV_READ_OUT_16)
+
+#endif /* QV_MARCH_H */

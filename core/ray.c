@@ -1,0 +1,78 @@
+#include "ray.h"
+
+#include "fx_wide.h"
+
+#define QUOTIENT_BITS 23u
+#define HALF_VOXEL    ((qv_coord)1 << 31)
+#define ROUNDING      ((qv_coord)1 << 23)
+
+/* A range of sample numbers, both ends included. */
+typedef struct {
+    int32_t first, last;
+} range;
+
+/*
+ * floor(n / d) for d > 0, by shift and subtract on as many bits as the quotient
+ * has; magnitudes of 2^24 and more come out as some value not below 2^24 - 1 =
+ * 4 QV_GRID_LIMIT - 1. floor(n / d) = -1 - floor((-1 - n) / d) for negative n.
+ */
+static int32_t quotient(qv_coord n, uint64_t d)
+{
+    uint64_t rest = n < 0 ? ~(uint64_t)n : (uint64_t)n;
+    uint32_t q = 0;
+    unsigned bits = 0;
+    while (bits < QUOTIENT_BITS && d <= rest >> 1) {
+        d <<= 1; /* <= rest < 2^62 */
+        bits++;
+    }
+    for (unsigned i = 0; i <= bits; i++) {
+        q <<= 1;
+        if (rest >= d) {
+            rest -= d;
+            q |= 1u;
+        }
+        d >>= 1;
+    }
+    return n < 0 ? -1 - (int32_t)q : (int32_t)q;
+}
+
+static void narrow(range *k, int32_t first, int32_t last)
+{
+    if (k->first < first)
+        k->first = first;
+    if (k->last > last)
+        k->last = last;
+}
+
+/* Keeps the k with 0 <= place + k * advance < size. */
+static void narrow_to_slab(range *k, qv_coord place, qv_coord advance, qv_coord size)
+{
+    if (advance == 0) {
+        if (place < 0 || place >= size)
+            k->last = k->first - 1;
+        return;
+    }
+    uint64_t pace = advance < 0 ? 0u - (uint64_t)advance : (uint64_t)advance;
+    int32_t low = quotient(place, pace), high = quotient(place - size, pace);
+    if (advance > 0)
+        narrow(k, -low, -1 - high);
+    else
+        narrow(k, high + 1, low);
+}
+
+void qv_ray_clip(qv_ray *ray, const uint16_t size[3], int32_t first)
+{
+    range k = {first, QV_GRID_LIMIT - 1};
+    for (unsigned axis = 0; axis < 3; axis++)
+        narrow_to_slab(&k, ray->place[axis], ray->advance[axis], (qv_coord)size[axis] << 32);
+    ray->samples = k.last < k.first ? 0u : (uint32_t)(k.last - k.first) + 1u;
+    /* where samples remain, the point lies in the box: no overflow */
+    if (ray->samples != 0)
+        for (unsigned axis = 0; axis < 3; axis++)
+            ray->place[axis] += k.first * ray->advance[axis] - HALF_VOXEL + ROUNDING;
+}
+
+qv_coord qv_phase_of(qv_coord v, uint16_t phase)
+{
+    return fx_shift_floor(v * phase + 0x8000, 16); /* |v| * 2^16 < 2^56 */
+}

@@ -1,0 +1,42 @@
+/*
+ * ray.h - the samples of one ray.
+ */
+#ifndef QV_RAY_H
+#define QV_RAY_H
+
+#include "qvol.h"
+
+/* The sample numbers k of a ray lie in -QV_GRID_LIMIT .. QV_GRID_LIMIT - 1. */
+#define QV_GRID_LIMIT 0x400000
+
+/*
+ * The ray's next sample and what remains of it. `place` is the sample's point in
+ * voxel coordinates less 1/2 (so that whole numbers are voxel centres) plus
+ * 1/512 (so that cutting it to 8 fraction bits rounds it to nearest).
+ */
+typedef struct qv_ray {
+    qv_coord place[3];   /* Q31.32 */
+    qv_coord advance[3]; /* voxels from sample to sample, Q31.32 */
+    uint32_t samples;    /* that remain */
+} qv_ray;
+
+/*
+ * Clips a ray to the box of a volume. On entry place is the point of sample 0 in
+ * voxel coordinates, |place| < 2^62; on return the ray stands at its first
+ * sample k >= first with 0 <= p < size on every axis, and samples counts those
+ * up to the last. Exact: the same samples as testing each of them.
+ */
+void qv_ray_clip(qv_ray *ray, const uint16_t size[3], int32_t first);
+
+/* The point of pixel (x, y): base + x*across + y*down. |x|, |y| < 2^15 and
+   components within the ranges of qv_camera keep it below 2^61. */
+static inline qv_coord qv_pixel_point(const qv_coord base[3], const qv_camera *camera,
+                                      unsigned axis, int32_t x, int32_t y)
+{
+    return base[axis] + x * camera->across[axis] + y * camera->down[axis];
+}
+
+/* phase * v, v in Q31.32 below 2^40. */
+qv_coord qv_phase_of(qv_coord v, uint16_t phase);
+
+#endif /* QV_RAY_H */

@@ -1,0 +1,3 @@
+#include "march.h"
+
+QV_DEFINE_SAMPLINGS(separate)

@@ -1,0 +1,49 @@
+#include "qvol.h"
+
+const char *qv_version(void)
+{
+    return QV_VERSION;
+}
+
+const char *qv_status_text(qv_status status)
+{
+    switch (status) {
+    case QV_OK:
+        return "no error";
+    case QV_MORE:
+        return "work remains to be done";
+    case QV_ERROR_NULL:
+        return "a required pointer is null";
+    case QV_ERROR_STORAGE:
+        return "storage unknown, or not the one the sampling mode reads";
+    case QV_ERROR_SIZE:
+        return "size of an axis out of range";
+    case QV_ERROR_STRIDE:
+        return "strides overlap, are misaligned or leave the memory given";
+    case QV_ERROR_PALETTE:
+        return "palette missing or not of 256 entries";
+    case QV_ERROR_SPACING:
+        return "voxel spacing out of range";
+    case QV_ERROR_STEP:
+        return "step out of range";
+    case QV_ERROR_UNIT:
+        return "unit distance of the opacities differs from the step";
+    case QV_ERROR_CAMERA:
+        return "camera matrix degenerate or out of range";
+    case QV_ERROR_VIEW:
+        return "frame size, pitch or field of view out of range";
+    case QV_ERROR_RECT:
+        return "rectangle empty or out of range";
+    case QV_ERROR_BUFFER:
+        return "output buffer too small, or its rows overlap";
+    case QV_ERROR_TRANSFER:
+        return "control points missing or out of order";
+    case QV_ERROR_WINDOW:
+        return "window of values empty or out of range";
+    case QV_ERROR_LIGHT:
+        return "light direction zero or coefficient out of range";
+    case QV_ERROR_RESERVED:
+        return "a reserved field is not zero";
+    }
+    return "unknown status";
+}
