@@ -1,5 +1,5 @@
 #include "seeded.h"
-#include "random.h"
+#include "draw.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,10 +15,10 @@ static uint32_t to_q16(double value)
 }
 
 /* Any angle; one in four is a multiple of 45 degrees, where ties and faces meet samples. */
-static qv_angle draw_angle(ref_random *random)
+static qv_angle draw_angle(draws *random)
 {
-    const qv_angle angle = ref_random_next(random);
-    return ref_random_once_in(random, 4) ? angle & 0xe0000000u : angle;
+    const qv_angle angle = draw_bits(random);
+    return draw_once_in(random, 4) ? angle & 0xe0000000u : angle;
 }
 
 static double diagonal(const qv_volume *volume)
@@ -32,16 +32,16 @@ static double diagonal(const qv_volume *volume)
 }
 
 /* The same view twice: as the library takes it and in real numbers. */
-static void draw_view(qv_view *view, ref_view *real, const qv_volume *volume, ref_random *random)
+static void draw_view(qv_view *view, ref_view *real, const qv_volume *volume, draws *random)
 {
     const qv_angle azimuth = draw_angle(random);
     const qv_angle elevation = draw_angle(random);
     const qv_angle roll = draw_angle(random);
     const uint32_t longest = 40, shortest = 24; /* pixels of an edge of the frame */
-    view->width = (uint16_t)(shortest + ref_random_below(random, longest - shortest));
-    view->height = (uint16_t)(shortest + ref_random_below(random, longest - shortest));
-    view->pitch = to_q16(diagonal(volume) / longest * ref_random_real(random, 0.4, 1.1));
-    view->step = to_q16(ref_random_scale(random, 1.0 / 16, 4));
+    view->width = (uint16_t)(shortest + draw_below(random, longest - shortest));
+    view->height = (uint16_t)(shortest + draw_below(random, longest - shortest));
+    view->pitch = to_q16(diagonal(volume) / longest * draw_real(random, 0.4, 1.1));
+    view->step = to_q16(draw_scale(random, 1.0 / 16, 4));
     qv_rotation(view->rotation, azimuth, elevation, roll);
     ref_rotation(real->rotation, azimuth, elevation, roll);
     real->pitch = view->pitch / 65536.0;
@@ -50,39 +50,39 @@ static void draw_view(qv_view *view, ref_view *real, const qv_volume *volume, re
     real->height = view->height;
 }
 
-static qv_status draw_camera(seeded_scene *made, ref_random *random)
+static qv_status draw_camera(seeded_scene *made, draws *random)
 {
     qv_camera *camera = &made->scene.camera;
     qv_view view;
     draw_view(&view, &made->view, &made->scene.volume, random);
-    if (ref_random_once_in(random, 2)) {
+    if (draw_once_in(random, 2)) {
         made->view.field_of_view = 0;
         return qv_orthographic(camera, &made->scene.volume, &view);
     }
-    const double degrees = ref_random_real(random, 5, 120);
+    const double degrees = draw_real(random, 5, 120);
     const qv_angle angle = (qv_angle)(degrees / 360 * 4294967296.0);
     made->view.field_of_view = angle / 4294967296.0 * 2 * pi;
     return qv_perspective(camera, &made->scene.volume, &view, angle);
 }
 
-static void draw_background(uint8_t background[4], ref_random *random)
+static void draw_background(uint8_t background[4], draws *random)
 {
-    const bool transparent = ref_random_once_in(random, 2);
+    const bool transparent = draw_once_in(random, 2);
     for (int channel = 0; channel < 4; channel++) {
-        const uint8_t level = (uint8_t)ref_random_below(random, 256);
+        const uint8_t level = (uint8_t)draw_below(random, 256);
         background[channel] = transparent ? 0 : level;
     }
 }
 
 /* ---- The volume's shape ------------------------------------------------- */
 
-static void draw_size(qv_volume *volume, ref_random *random)
+static void draw_size(qv_volume *volume, draws *random)
 {
-    const bool cubic = ref_random_once_in(random, 3);
+    const bool cubic = draw_once_in(random, 3);
     for (int axis = 0; axis < 3; axis++) {
-        const uint32_t size = 1 + ref_random_below(random, SEEDED_LONGEST_AXIS);
-        const double spacing = ref_random_scale(random, 0.4, 2.5);
-        volume->size[axis] = (uint16_t)(ref_random_once_in(random, 8) ? 1 : size);
+        const uint32_t size = 1 + draw_below(random, SEEDED_LONGEST_AXIS);
+        const double spacing = draw_scale(random, 0.4, 2.5);
+        volume->size[axis] = (uint16_t)(draw_once_in(random, 8) ? 1 : size);
         volume->spacing[axis] = cubic ? QV_ONE_Q16 : to_q16(spacing);
     }
 }
@@ -96,17 +96,17 @@ static uint32_t voxel_bytes(qv_storage storage)
  * Lays the axes out in a drawn order with drawn gaps between their rows, and
  * lets some run downwards. Returns the offset of voxel (0,0,0).
  */
-static size_t draw_strides(qv_volume *volume, ref_random *random)
+static size_t draw_strides(qv_volume *volume, draws *random)
 {
     uint32_t order[3] = {0, 1, 2}, extent = voxel_bytes((qv_storage)volume->storage);
     size_t first = 0;
     for (uint32_t level = 0; level < 3; level++) {
-        const uint32_t pick = level + ref_random_below(random, 3 - level);
+        const uint32_t pick = level + draw_below(random, 3 - level);
         const uint32_t axis = order[pick];
         order[pick] = order[level];
-        const uint32_t gap = 2 * ref_random_below(random, 4); /* bytes, even for 16-bit data */
+        const uint32_t gap = 2 * draw_below(random, 4); /* bytes, even for 16-bit data */
         const uint32_t stride = extent + gap, reach = stride * (volume->size[axis] - 1u);
-        const bool downwards = ref_random_once_in(random, 3);
+        const bool downwards = draw_once_in(random, 3);
         volume->stride[axis] = downwards ? -(int32_t)stride : (int32_t)stride;
         first += downwards ? reach : 0;
         extent += reach;
@@ -133,18 +133,18 @@ typedef struct filling {
 
 static const char *const filling_names[FILLINGS] = {"noise", "waves", "sparse", "constant"};
 
-static void draw_filling(filling *drawn, ref_random *random)
+static void draw_filling(filling *drawn, draws *random)
 {
     static const filling_kind kinds[8] = {NOISE, NOISE, NOISE,  WAVES,
                                           WAVES, WAVES, SPARSE, CONSTANT};
-    drawn->kind = kinds[ref_random_below(random, 8)];
-    drawn->thinning = ref_random_below(random, 7);
+    drawn->kind = kinds[draw_below(random, 8)];
+    drawn->thinning = draw_below(random, 7);
     for (int channel = 0; channel < 4; channel++) {
-        drawn->constant[channel] = (uint16_t)ref_random_next(random);
+        drawn->constant[channel] = (uint16_t)draw_bits(random);
         for (int axis = 0; axis < 3; axis++) {
-            drawn->waves[channel].turns[axis] = ref_random_real(random, -0.1, 0.1);
+            drawn->waves[channel].turns[axis] = draw_real(random, -0.1, 0.1);
         }
-        drawn->waves[channel].phase = ref_random_real(random, 0, 1);
+        drawn->waves[channel].phase = draw_real(random, 0, 1);
     }
 }
 
@@ -155,18 +155,17 @@ static uint16_t wave_height(const wave *w, const int32_t at[3])
 }
 
 /* One colour of 16 bits a channel, at a voxel or, for palettes, along a line of entries. */
-static void draw_colour(uint16_t rgba[4], const filling *from, const int32_t at[3],
-                        ref_random *random)
+static void draw_colour(uint16_t rgba[4], const filling *from, const int32_t at[3], draws *random)
 {
     for (int channel = 0; channel < 4; channel++) {
-        const uint16_t noise = (uint16_t)ref_random_next(random);
+        const uint16_t noise = (uint16_t)draw_bits(random);
         const uint16_t height = wave_height(&from->waves[channel], at);
         rgba[channel] = from->kind == WAVES      ? height
                         : from->kind == CONSTANT ? from->constant[channel]
                                                  : noise;
     }
     rgba[3] = (uint16_t)(rgba[3] >> from->thinning);
-    const bool empty = from->kind == SPARSE && !ref_random_once_in(random, 8);
+    const bool empty = from->kind == SPARSE && !draw_once_in(random, 8);
     if (empty) {
         rgba[3] = 0;
     }
@@ -196,7 +195,7 @@ static void store_voxel(unsigned char *voxel, qv_storage storage, const uint16_t
 }
 
 static void fill_voxels(unsigned char *origin, const qv_volume *volume, const filling *from,
-                        ref_random *random)
+                        draws *random)
 {
     int32_t at[3];
     uint16_t rgba[4];
@@ -213,7 +212,7 @@ static void fill_voxels(unsigned char *origin, const qv_volume *volume, const fi
     }
 }
 
-static void fill_palette(seeded_scene *made, const filling *from, ref_random *random)
+static void fill_palette(seeded_scene *made, const filling *from, draws *random)
 {
     const bool wide = made->scene.volume.storage == QV_STORAGE_INDEXED8_16;
     for (int32_t entry = 0; entry < QV_PALETTE_ENTRIES; entry++) {
@@ -234,14 +233,14 @@ static void fill_palette(seeded_scene *made, const filling *from, ref_random *ra
 
 qv_status seeded_make(seeded_scene *made, uint32_t seed, qv_storage storage)
 {
-    ref_random random = ref_random_seeded(seed);
+    draws random = draw_seeded(seed);
     qv_volume *volume = &made->scene.volume;
     filling from;
     memset(made, 0, sizeof *made);
     draw_size(volume, &random);
     draw_background(made->scene.background, &random);
-    const uint16_t phase = (uint16_t)ref_random_next(&random);
-    made->scene.phase = ref_random_once_in(&random, 3) ? 0 : phase;
+    const uint16_t phase = (uint16_t)draw_bits(&random);
+    made->scene.phase = draw_once_in(&random, 3) ? 0 : phase;
     const qv_status status = draw_camera(made, &random);
     volume->storage = (uint8_t)storage;
     const size_t first = draw_strides(volume, &random);

@@ -1,0 +1,222 @@
+/*
+ * Positions: how far the library's samples lie from the ideal ray in volumes of
+ * 4096 voxels per axis, for every kind of view and steps from 1/16.
+ */
+#include "check.h"
+#include "draw.h"
+#include "ray.h"
+#include "reference.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define VIEWS  1500
+#define PIXELS 8 /* of each view */
+#define POINTS 8 /* of each ray */
+
+static const double two_to_32 = 4294967296.0;
+static const double pi = 3.14159265358979323846;
+
+/* Distances in voxels from where the ideal ray has the same sample. */
+typedef struct distances {
+    double exact;   /* before rounding to 1/256 voxel */
+    double rounded; /* as reconstruction reads it */
+    uint64_t points;
+} distances;
+
+typedef struct view_kind {
+    const char *name;
+    bool perspective;
+    double narrowest, widest; /* field of view in degrees */
+    double most_spacing;      /* spacings lie between 1 / this and this */
+} view_kind;
+
+/* ---- A scene of the largest volume; its voxels are never read ------------- */
+
+static void huge_volume(qv_volume *volume, const view_kind *kind, draws *random)
+{
+    static const unsigned char memory[QV_PALETTE8_BYTES];
+    memset(volume, 0, sizeof *volume);
+    volume->voxels = memory;
+    volume->palette = memory;
+    volume->palette_bytes = QV_PALETTE8_BYTES;
+    volume->storage = QV_STORAGE_INDEXED8;
+    for (int axis = 0; axis < 3; axis++) {
+        const double spacing = draw_scale(random, 1 / kind->most_spacing, kind->most_spacing);
+        volume->size[axis] = QV_AXIS_MAX;
+        volume->spacing[axis] = (uint32_t)(65536 * spacing);
+        volume->stride[axis] = 1 << (12 * axis);
+    }
+    volume->voxels_bytes = (uint64_t)1 << 36;
+}
+
+static void draw_view(qv_view *view, ref_view *real, const view_kind *kind, draws *random)
+{
+    const uint32_t turn = draw_once_in(random, 8) ? 0xc0000000u : 0xffffffffu;
+    const qv_angle azimuth = draw_bits(random) & turn;
+    const qv_angle elevation = draw_bits(random) & turn;
+    const qv_angle roll = draw_bits(random) & turn;
+    view->height = (uint16_t)draw_scale(random, 16, 4096);
+    view->width = (uint16_t)(view->height * draw_scale(random, 0.5, 2));
+    view->pitch = (uint32_t)(QV_AXIS_MAX * 65536.0 / view->height * kind->most_spacing);
+    view->step = (uint32_t)(65536 * draw_scale(random, 1.0 / 16, 4));
+    qv_rotation(view->rotation, azimuth, elevation, roll);
+    ref_rotation(real->rotation, azimuth, elevation, roll);
+    real->pitch = view->pitch / 65536.0;
+    real->step = view->step / 65536.0;
+    real->width = view->width;
+    real->height = view->height;
+}
+
+static void draw_scene(qv_scene *scene, ref_view *real, const view_kind *kind, draws *random)
+{
+    qv_view view;
+    memset(scene, 0, sizeof *scene);
+    huge_volume(&scene->volume, kind, random);
+    draw_view(&view, real, kind, random);
+    scene->phase = (uint16_t)draw_bits(random);
+    scene->sampling = &qv_nearest_indexed8;
+    real->field_of_view = 0;
+    if (kind->perspective) {
+        const double degrees = draw_scale(random, kind->narrowest, kind->widest);
+        const qv_angle field = (qv_angle)(degrees / 360 * two_to_32);
+        real->field_of_view = field / two_to_32 * 2 * pi;
+        assert_int_equal(qv_perspective(&scene->camera, &scene->volume, &view, field), QV_OK);
+    } else {
+        assert_int_equal(qv_orthographic(&scene->camera, &scene->volume, &view), QV_OK);
+    }
+}
+
+/* ---- The library's points beside the ideal ones --------------------------- */
+
+/* Sample j of the library's ray: exactly, and cut as its cells cut it. */
+static void library_point(double exact[3], double rounded[3], const qv_ray *ray, uint32_t j)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        const int64_t place = ray->place[axis] + (int64_t)j * ray->advance[axis];
+        const double shifted = (double)place / two_to_32;
+        exact[axis] = shifted + 0.5 - 1.0 / 512;
+        rounded[axis] = floor(shifted * 256) / 256 + 0.5;
+    }
+}
+
+/* Number of the ideal sample nearest to a point, counted from the ideal ray's first. */
+static double nearest_sample(const ref_ray *ideal, const double point[3])
+{
+    double along = 0, square = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        along += (point[axis] - ideal->first[axis]) * ideal->step[axis];
+        square += ideal->step[axis] * ideal->step[axis];
+    }
+    return floor(along / square + 0.5);
+}
+
+static double distance(const double a[3], const double b[3])
+{
+    double square = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        square += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+    }
+    return sqrt(square);
+}
+
+static void compare_point(distances *worst, const ref_ray *ideal, const qv_ray *ray, uint32_t j)
+{
+    double exact[3], rounded[3], expected[3];
+    library_point(exact, rounded, ray, j);
+    ref_point(expected, ideal, (int64_t)nearest_sample(ideal, exact));
+    worst->exact = fmax(worst->exact, distance(exact, expected));
+    worst->rounded = fmax(worst->rounded, distance(rounded, expected));
+    worst->points++;
+}
+
+/* Both ends of the ray and points between them; the rays must have the same samples but for
+   one at either end, where a face may part them. */
+static void compare_ray(distances *worst, const qv_scene *scene, const ref_view *view,
+                        const qv_context *context, draws *random)
+{
+    const int32_t x = (int32_t)draw_below(random, (uint32_t)view->width);
+    const int32_t y = (int32_t)draw_below(random, (uint32_t)view->height);
+    qv_ray ray;
+    ref_ray ideal;
+    context->camera.ray(&ray, context, x, y);
+    ref_ideal_ray(&ideal, scene, view, x, y);
+    assert_true(fabs((double)ray.samples - (double)ideal.count) <= 2);
+    if (ray.samples == 0 || ideal.count == 0) {
+        return;
+    }
+    compare_point(worst, &ideal, &ray, 0);
+    compare_point(worst, &ideal, &ray, ray.samples - 1);
+    for (int i = 2; i < POINTS; i++) {
+        compare_point(worst, &ideal, &ray, draw_below(random, ray.samples));
+    }
+}
+
+static void test_kind(const view_kind *kind)
+{
+    draws random = draw_seeded(1998);
+    distances worst = {0, 0, 0};
+    qv_scene scene;
+    qv_context context;
+    ref_view view;
+    for (int i = 0; i < VIEWS; i++) {
+        draw_scene(&scene, &view, kind, &random);
+        assert_int_equal(qv_init(&context, &scene), QV_OK);
+        for (int pixel = 0; pixel < PIXELS; pixel++) {
+            compare_ray(&worst, &scene, &view, &context, &random);
+        }
+    }
+    printf("# %s: %d views, %ju samples, worst distance %.7f voxel (2^%.2f), "
+           "rounded %.6f (1/%.1f)\n",
+           kind->name, VIEWS, (uintmax_t)worst.points, worst.exact, log2(worst.exact),
+           worst.rounded, 1 / worst.rounded);
+    assert_true(worst.points > VIEWS * PIXELS);
+    assert_true(worst.exact <= 1.0 / 2048);
+    assert_true(worst.rounded <= 1.0 / 256);
+}
+
+static void test_orthographic(void **state)
+{
+    const view_kind kind = {"orthographic", false, 0, 0, 1};
+    (void)state;
+    test_kind(&kind);
+}
+
+static void test_orthographic_spaced(void **state)
+{
+    const view_kind kind = {"orthographic, spacing 1/4 to 4", false, 0, 0, 4};
+    (void)state;
+    test_kind(&kind);
+}
+
+static void test_perspective(void **state)
+{
+    const view_kind kind = {"perspective, 20 to 150 degrees", true, 20, 150, 1};
+    (void)state;
+    test_kind(&kind);
+}
+
+static void test_perspective_spaced(void **state)
+{
+    const view_kind kind = {"perspective, spacing 1/4 to 4", true, 20, 150, 4};
+    (void)state;
+    test_kind(&kind);
+}
+
+static void test_perspective_narrow(void **state)
+{
+    const view_kind kind = {"perspective, 1 to 20 degrees", true, 1, 20, 1};
+    (void)state;
+    test_kind(&kind);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_orthographic),       cmocka_unit_test(test_orthographic_spaced),
+        cmocka_unit_test(test_perspective),        cmocka_unit_test(test_perspective_spaced),
+        cmocka_unit_test(test_perspective_narrow),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
