@@ -1,0 +1,135 @@
+# qvol: an integer-only volume renderer. `make help` lists the targets.
+#
+# Variables: TARGET=host|cortex-m0|cortex-m3, CC, CFLAGS, OPTIMISE=-O2,
+# PREFIX=/usr/local, WITHOUT="png nifti nrrd cmocka" (leave out what is installed).
+
+.DEFAULT_GOAL := all
+.DELETE_ON_ERROR:
+MAKEFLAGS += --no-builtin-rules
+
+BUILD := build
+TARGET ?= host
+OUT := $(BUILD)/$(TARGET)
+PREFIX ?= /usr/local
+LIBRARY := $(OUT)/libqvol.a
+QVOL := $(BUILD)/host/qvol
+HOST_CC := $(CC)
+
+WARNINGS := -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wcast-qual \
+	-Wmissing-prototypes -Wstrict-prototypes -Wundef -Wvla -Wdouble-promotion
+
+ifeq ($(TARGET),host)
+OPTIMISE ?= -O2
+TARGET_CC := $(CC)
+TARGET_AR := $(AR)
+TARGET_CFLAGS = $(OPTIMISE) -ffunction-sections -fdata-sections $(CFLAGS)
+else ifneq ($(wildcard toolchain/$(TARGET).mk),)
+include toolchain/$(TARGET).mk
+else
+$(error no target $(TARGET); there are: host $(patsubst toolchain/%.mk,%,$(wildcard toolchain/cortex-m[0-9].mk)))
+endif
+
+# ---- The library: no package needed -----------------------------------------
+
+LIBRARY_SOURCES := $(sort $(wildcard core/*.c fixedpoint/*.c))
+LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o)
+LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) -Icore -Ifixedpoint
+
+.PHONY: all lib
+ifeq ($(TARGET),host)
+all: lib $(QVOL) ## the library and, for the host, the command qvol (default)
+else
+all: lib
+endif
+
+lib: $(LIBRARY) ## the library for TARGET: build/TARGET/libqvol.a
+
+$(LIBRARY): $(LIBRARY_OBJECTS)
+	@rm -f $@
+	$(TARGET_AR) rcs $@ $^
+
+$(OUT)/core/%.o: core/%.c
+	@mkdir -p $(@D)
+	$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
+
+$(OUT)/fixedpoint/%.o: fixedpoint/%.c
+	@mkdir -p $(@D)
+	$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
+
+-include $(LIBRARY_OBJECTS:.o=.d)
+
+# ---- What runs on the library -------------------------------------------------
+
+ifeq ($(TARGET),host)
+include port/host/host.mk
+include tests/tests.mk
+else
+include toolchain/device.mk
+endif
+
+.PHONY: firmware size bench
+ifeq ($(TARGET),host)
+firmware: ## firmware for a device: make firmware TARGET=cortex-m3
+	@echo "make: name a device: make firmware TARGET=cortex-m3" >&2; exit 2
+endif
+
+size: ## bytes of code, tables and stack on a Cortex-M0, by function
+	tests/static/size.sh --table
+
+bench: $(QVOL) ## instructions per sample on the devices, samples per second on the host
+	tests/bench/bench.sh
+
+# ---- The two commands ---------------------------------------------------------
+
+.PHONY: setup demo test test-exhaustive
+setup: ## install what demo and test need (Debian, as root)
+	@toolchain/setup
+
+demo: setup ## pictures of a real MRI, and of a microcontroller drawing it: build/demo/
+	@$(MAKE) --no-print-directory all
+	@toolchain/demo
+
+test: setup ## everything that is tested; ends with "N passed, N failed"
+	@$(MAKE) --no-print-directory test-all
+
+test-exhaustive: ## every input of every fixed-point function: an hour or so
+	@$(MAKE) --no-print-directory exhaustive
+
+# ---- Installation ---------------------------------------------------------------
+
+.PHONY: install
+install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL)) ## header, archive, pkg-config file and command below PREFIX
+	install -d $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/lib/pkgconfig
+	install -m 644 core/qvol.h $(DESTDIR)$(PREFIX)/include/qvol.h
+	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib/libqvol.a
+	version=$$(sed -n 's/^#define QV_VERSION "\(.*\)"/\1/p' core/qvol.h) && \
+	sed -e "s|@PREFIX@|$(PREFIX)|" -e "s|@VERSION@|$$version|" toolchain/qvol.pc.in \
+		> $(DESTDIR)$(PREFIX)/lib/pkgconfig/qvol.pc
+ifeq ($(TARGET),host)
+	install -d $(DESTDIR)$(PREFIX)/bin
+	install -m 755 $(QVOL) $(DESTDIR)$(PREFIX)/bin/qvol
+endif
+
+# ---- Care -----------------------------------------------------------------------
+
+C_FILES = $(shell find core fixedpoint port tests -name '*.[ch]')
+
+.PHONY: format lint readme clean help
+format: ## lay out every C file by .clang-format
+	clang-format -i $(C_FILES)
+
+lint: ## layout, static analysis, shell scripts
+	clang-format --dry-run --Werror $(C_FILES)
+	cppcheck --std=c99 --quiet --error-exitcode=1 --enable=warning,portability,performance \
+		--inline-suppr --suppress=missingIncludeSystem -Icore -Ifixedpoint core fixedpoint
+	shellcheck -S warning toolchain/setup toolchain/demo tests/run $$(find tests -name '*.sh') .ci/run
+
+readme: ## write the figures of README.md anew
+	tests/bench/readme.sh
+
+clean: ## remove everything built
+	rm -rf $(BUILD)
+
+help: ## this list
+	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | sort -u | \
+		awk -F'|' '{ printf "  make %-16s %s\n", $$1, $$2 }'

@@ -1,0 +1,59 @@
+# Tests on the host. Each C file in tests/unit and tests/accuracy is a program,
+# linked with the library and the references; each script in tests/command,
+# tests/static and tests/device is run from the top folder. All print TAP; tests/run
+# adds up what they print.
+#
+# make check needs a C compiler and make; the rest needs what toolchain/setup installs.
+
+TEST_OUT := $(BUILD)/tests
+TEST_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -D_POSIX_C_SOURCE=200809L $(OPTIMISE) $(CFLAGS) \
+	-Icore -Ifixedpoint -Iport -Itests -Itests/unit -Itests/reference -Itests/golden $(CMOCKA_CPPFLAGS)
+TEST_LIBS = $(CMOCKA_LIBS) -lm
+
+CMOCKA_FOUND := $(if $(filter cmocka,$(WITHOUT)),,$(shell printf \
+	'\#include <stdarg.h>\n\#include <stddef.h>\n\#include <stdint.h>\n\#include <setjmp.h>\n\#include <cmocka.h>\nint main(void) { return 0; }\n' | \
+	$(CC) -x c - -lcmocka -o /dev/null 2>/dev/null && echo yes))
+ifeq ($(CMOCKA_FOUND),yes)
+CMOCKA_CPPFLAGS := -DHAVE_CMOCKA
+CMOCKA_LIBS := -lcmocka
+endif
+
+REFERENCE_OBJECTS := $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/reference/*.c))
+GOLDEN_SOURCES := $(filter-out %_device.c,$(wildcard tests/golden/*.c)) port/crc32.c
+UNIT_TESTS := $(patsubst tests/%.c,$(TEST_OUT)/%,$(wildcard tests/unit/*.c))
+ACCURACY_TESTS := $(patsubst tests/%.c,$(TEST_OUT)/%,$(wildcard tests/accuracy/*.c))
+EXHAUSTIVE_TESTS := $(patsubst tests/%.c,$(TEST_OUT)/%,$(wildcard tests/exhaustive/*.c))
+GOLDEN_TEST := $(TEST_OUT)/golden/golden
+SCRIPTS := $(sort $(wildcard tests/command/*.sh tests/static/*.sh tests/device/*.sh))
+
+.PHONY: check test-programs test-all exhaustive golden-update
+check: $(UNIT_TESTS) $(GOLDEN_TEST) ## unit tests and golden scenes; needs no package
+	@tests/run $(UNIT_TESTS) $(GOLDEN_TEST)
+
+test-programs: $(UNIT_TESTS) $(ACCURACY_TESTS) $(GOLDEN_TEST)
+
+test-all: all test-programs
+	@BUILD=$(BUILD) QVOL=$(QVOL) CC="$(CC)" \
+		tests/run $(UNIT_TESTS) $(GOLDEN_TEST) $(ACCURACY_TESTS) $(SCRIPTS)
+
+exhaustive: $(EXHAUSTIVE_TESTS)
+	@tests/run $(EXHAUSTIVE_TESTS)
+
+golden-update: $(GOLDEN_TEST) ## write tests/golden/golden.h anew, after a change of the specification
+	$(GOLDEN_TEST) --update > $(TEST_OUT)/golden.h
+	cp $(TEST_OUT)/golden.h tests/golden/golden.h
+
+$(TEST_OUT)/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(TEST_CFLAGS) -c $< -o $@
+
+$(UNIT_TESTS) $(ACCURACY_TESTS) $(EXHAUSTIVE_TESTS): $(TEST_OUT)/%: $(TEST_OUT)/tests/%.o $(REFERENCE_OBJECTS) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $^ $(TEST_LIBS) -o $@
+
+$(GOLDEN_TEST): $(GOLDEN_SOURCES:%.c=$(TEST_OUT)/%.o) $(REFERENCE_OBJECTS) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $^ $(TEST_LIBS) -o $@
+
+-include $(shell find $(TEST_OUT) -name '*.d' 2>/dev/null)
+.SECONDARY:
