@@ -87,7 +87,7 @@ static double half_cosine(const double normal[3], const double light[3], const i
     normalise(viewer, towards);
     for (int a = 0; a < 3; a++)
         half[a] = light[a] + viewer[a];
-    if (length(half) < 1.0 / 64)
+    if (length(half) < 1.0 / 256)
         return 0;
     normalise(half, half);
     return lit(normal, half);

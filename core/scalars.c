@@ -1,0 +1,13 @@
+#include "scalars.h"
+
+#include "layout.h"
+
+qv_status qv_scalars_check(const qv_scalars *scalars)
+{
+    uint32_t bytes = qv_scalar_bytes(scalars->type);
+    if (!scalars->values)
+        return QV_ERROR_NULL;
+    if (bytes == 0)
+        return QV_ERROR_STORAGE;
+    return qv_layout_check(scalars->size, scalars->stride, scalars->values_bytes, bytes, bytes);
+}
