@@ -61,7 +61,7 @@ $(OUT)/fixedpoint/%.o: fixedpoint/%.c
 # ---- What runs on the library -------------------------------------------------
 
 ifeq ($(TARGET),host)
-include port/host/host.mk
+-include port/host/host.mk
 include tests/tests.mk
 else
 include toolchain/device.mk
