@@ -1,0 +1,74 @@
+#!/bin/sh
+# What the smallest firmware takes on a Cortex-M0 (-Os, indexed8, weighted, RGB565
+# alone): flash and RAM from the linker's map, stack from an emulated run.
+#
+#     tests/static/size.sh            checks the limits, in TAP
+#     tests/static/size.sh --table    prints every function's share
+set -eu
+build=${BUILD:-build}
+out=$build/cortex-m0
+plugin=$build/emulator/count.so
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+CONTEXT_LIMIT=256
+STACK_LIMIT=512
+
+# measure CAMERA: figures of one program as lines "NAME NUMBER" in $work/CAMERA.
+measure() {
+    toolchain/size_report "$out/size_$1.map" >"$work/$1"
+    EMULATOR_OPTIONS="-plugin $plugin,out=$work/regions" \
+        toolchain/emulate microbit "$out/size_$1.elf" >>"$work/$1"
+    awk 'BEGIN { split("rotation camera init render", call) }
+         { print "stack_" call[$2 + 1], $6 }' "$work/regions" >>"$work/$1"
+}
+
+figure() { # figure CAMERA NAME
+    awk -v name="$2" '$1 == name { print $2 }' "$work/$1"
+}
+
+number=0
+failed=0
+check() { # check CAMERA NAME LIMIT
+    number=$((number + 1))
+    value=$(figure "$1" "$2")
+    if [ -n "$value" ] && [ "$value" -le "$3" ]; then
+        echo "ok $number - $1 $2: $value of $3 bytes"
+    else
+        echo "not ok $number - $1 $2: ${value:-unknown} of $3 bytes"
+        failed=$((failed + 1))
+    fi
+}
+
+table() {
+    for camera in orthographic perspective; do
+        echo "Cortex-M0 -Os, indexed8, weighted, RGB565, $camera, in bytes"
+        cat "$work/$camera"
+        echo
+    done
+}
+
+limits() {
+    check orthographic code 4096
+    check perspective code 6144
+    for camera in orthographic perspective; do
+        check $camera data 0
+        check $camera bss 0
+        check $camera context $CONTEXT_LIMIT
+        for call in rotation camera init render; do
+            check $camera stack_$call $STACK_LIMIT
+        done
+    done
+    echo "1..$number"
+}
+
+make -s TARGET=cortex-m0 BUILD="$build" OPTIMISE=-Os "$plugin" \
+    "$out/size_orthographic.elf" "$out/size_perspective.elf" >&2
+measure orthographic
+measure perspective
+if [ "${1:-}" = --table ]; then
+    table
+else
+    limits
+fi
+[ "$failed" -eq 0 ]
