@@ -57,7 +57,7 @@ static void draw_view(qv_view *view, ref_view *real, const view_kind *kind, draw
     const qv_angle azimuth = draw_bits(random) & turn;
     const qv_angle elevation = draw_bits(random) & turn;
     const qv_angle roll = draw_bits(random) & turn;
-    view->height = (uint16_t)draw_scale(random, 16, 4096);
+    view->height = (uint16_t)draw_scale(random, 64, 4096);
     view->width = (uint16_t)(view->height * draw_scale(random, 0.5, 2));
     view->pitch = (uint32_t)(QV_AXIS_MAX * 65536.0 / view->height * kind->most_spacing);
     view->step = (uint32_t)(65536 * draw_scale(random, 1.0 / 16, 4));
@@ -140,7 +140,7 @@ static void compare_ray(distances *worst, const qv_scene *scene, const ref_view 
     const int32_t y = (int32_t)draw_below(random, (uint32_t)view->height);
     qv_ray ray;
     ref_ray ideal;
-    context->camera.ray(&ray, context, x, y);
+    scene->camera.ray(&ray, context, x, y);
     ref_ideal_ray(&ideal, scene, view, x, y);
     assert_true(fabs((double)ray.samples - (double)ideal.count) <= 2);
     if (ray.samples == 0 || ideal.count == 0) {

@@ -160,7 +160,7 @@ static void march(double light[4], qv_scene *scene, const kind *as, const qv_sam
     qv_ray ray;
     scene->sampling = sampling;
     assert_int_equal(qv_init(&context, scene), QV_OK);
-    context.camera.ray(&ray, &context, 0, 0);
+    scene->camera.ray(&ray, &context, 0, 0);
     sampling->march(&gathered, &ray, &context);
     for (int channel = 0; channel < 3; channel++) {
         light[channel] = gathered.colour[channel] / as->unit;

@@ -158,10 +158,12 @@ static double length(const double v[3])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* Longest |v| of a perspective camera on an axis, and shortest as a whole. */
+/* Whether a direction is one that a perspective camera renders. */
 static bool usable(const double v[3])
 {
-    return fabs(v[0]) <= 4 && fabs(v[1]) <= 4 && fabs(v[2]) <= 4 && length(v) >= 1.0 / 16;
+    const double longest = 8, shortest = 1.0 / 16;
+    return fabs(v[0]) <= longest && fabs(v[1]) <= longest && fabs(v[2]) <= longest &&
+           length(v) >= shortest;
 }
 
 static void stored_perspective(ref_ray *ray, const qv_scene *scene, int32_t x, int32_t y)
