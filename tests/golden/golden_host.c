@@ -1,0 +1,180 @@
+/*
+ * golden_host.c - the golden scenes on this machine, in TAP.
+ *
+ *     golden             checks the checksums of golden.h, how much of each
+ *                        picture is covered, and its distance from the reference
+ *     golden --update    prints a new golden.h
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "golden.h"
+#include "scenes.h"
+#include "tally.h"
+
+/* A picture that covers less may hide an error behind its background. */
+#define LEAST_COVERAGE 0.2
+
+/* Share of channels that must equal the reference; none may be off by more than
+   one level. */
+#define LEAST_EQUAL 0.99
+
+static golden_memory memory;
+static unsigned tests, failures;
+
+static void print_name(const golden_scene *golden)
+{
+    const char *word[GOLDEN_WORDS];
+    golden_name(word, golden);
+    for (unsigned i = 0; i < GOLDEN_WORDS; i++)
+        printf("%s%s", i == 0 ? "" : ", ", word[i]);
+}
+
+static void print_result(bool passed, const char *what, uint32_t number, const golden_scene *golden)
+{
+    failures += passed ? 0 : 1;
+    printf("%s %u - golden %" PRIu32 " %s: ", passed ? "ok" : "not ok", ++tests, number, what);
+    print_name(golden);
+    printf("\n");
+}
+
+/* ---- Checksums ------------------------------------------------------------ */
+
+static void check_checksums(uint32_t number, const golden_scene *golden)
+{
+    bool passed = true;
+    for (unsigned way = 0; way < GOLDEN_WAYS; way++) {
+        uint32_t checksum = 0;
+        qv_status status = golden_render(&checksum, &memory, golden, (golden_way)way);
+        if (status == QV_OK && checksum == golden_checksums[number])
+            continue;
+        fprintf(stderr, "golden %" PRIu32 " %s: %s, %08" PRIx32 " instead of %08" PRIx32 "\n",
+                number, golden_way_name[way], qv_status_text(status), checksum,
+                golden_checksums[number]);
+        passed = false;
+    }
+    print_result(passed, "checksums", number, golden);
+}
+
+/* ---- The picture itself --------------------------------------------------- */
+
+/* The pixels as RGBA8888 without early termination. */
+static bool render_rgba(uint8_t *pixels, size_t bytes, const qv_scene *scene, const qv_rect *rect)
+{
+    qv_scene complete = *scene;
+    qv_context context;
+    qv_image image = {pixels, bytes, (rect->right - rect->left) * 4, &qv_format_rgba8888};
+    complete.termination = 0;
+    return qv_init(&context, &complete) == QV_OK && qv_render(&image, &context, rect) == QV_OK;
+}
+
+/* Compares every pixel with the reference; returns the share of pixels in which
+   the volume shows. */
+static double compare(tally *difference, const uint8_t *pixels, const qv_scene *scene,
+                      const golden_scene *golden)
+{
+    static const ref_mode modes[] = {REF_NEAREST, REF_SEPARATE, REF_WEIGHTED};
+    const qv_rect *rect = &golden->rect;
+    unsigned covered = 0, count = 0;
+    for (int32_t y = rect->top; y < rect->bottom; y++) {
+        for (int32_t x = rect->left; x < rect->right; x++, count++) {
+            ref_pixel expected;
+            ref_render(&expected, scene, modes[golden->mode], x, y);
+            tally_pixel(difference, &pixels[count * 4], &expected);
+            covered += pixels[count * 4 + 3] > 0 ? 1 : 0;
+        }
+    }
+    return (double)covered / count;
+}
+
+static void check_picture(uint32_t number, const golden_scene *golden)
+{
+    static uint8_t pixels[64 * 64 * 4];
+    qv_scene scene;
+    tally with_background = {0}, alone = {0};
+    bool made = golden_make(&scene, &memory, golden) == QV_OK &&
+                render_rgba(pixels, sizeof pixels, &scene, &golden->rect);
+    if (made)
+        (void)compare(&with_background, pixels, &scene, golden);
+    memset(scene.background, 0, sizeof scene.background);
+    made = made && render_rgba(pixels, sizeof pixels, &scene, &golden->rect);
+    double coverage = made ? compare(&alone, pixels, &scene, golden) : 0;
+    tally_add(&alone, &with_background);
+    if (coverage < LEAST_COVERAGE)
+        fprintf(stderr, "golden %" PRIu32 " covers only %.3f of its picture\n", number, coverage);
+    print_result(coverage >= LEAST_COVERAGE, "coverage", number, golden);
+    bool near = made && alone.worst <= 1 && tally_share(&alone) >= LEAST_EQUAL;
+    if (!near)
+        tally_print("golden", &alone);
+    print_result(near, "reference", number, golden);
+}
+
+/* ---- The set of scenes ---------------------------------------------------- */
+
+/* Every choice as one bit: 12 of storage and mode, times order, and the others. */
+static uint64_t choices(const golden_scene *golden)
+{
+    unsigned storage = (unsigned)golden->storage - QV_STORAGE_RGBA8;
+    unsigned sampling = (storage * 3 + golden->mode) * 2 + golden->order;
+    unsigned projection = golden->field_of_view == 0 ? 0 : 1;
+    uint64_t set = UINT64_C(1) << sampling;
+    set |= UINT64_C(1) << (24 + golden->format);
+    set |= UINT64_C(1) << (33 + golden->content);
+    set |= UINT64_C(1) << (38 + golden->layout);
+    set |= UINT64_C(1) << (42 + projection);
+    return set;
+}
+
+static void check_choices(void)
+{
+    uint64_t seen = 0;
+    for (uint32_t number = 0; number < GOLDEN_SCENES; number++) {
+        golden_scene golden;
+        golden_describe(&golden, number);
+        seen |= choices(&golden);
+    }
+    bool all = seen == (UINT64_C(1) << 44) - 1;
+    failures += all ? 0 : 1;
+    printf("%s %u - golden scenes: every choice occurs\n", all ? "ok" : "not ok", ++tests);
+}
+
+/* ---- golden.h ------------------------------------------------------------- */
+
+static int update(void)
+{
+    printf("/*\n * golden.h - CRC-32 of each golden scene: written by `make golden-update`.\n"
+           " *\n * A new value here is a new picture, and a new version of tests/SPEC.md.\n */\n"
+           "#ifndef GOLDEN_H\n#define GOLDEN_H\n\n#include <stdint.h>\n\n"
+           "static const uint32_t golden_checksums[] = {\n");
+    for (uint32_t number = 0; number < GOLDEN_SCENES; number++) {
+        golden_scene golden;
+        uint32_t checksum;
+        golden_describe(&golden, number);
+        qv_status status = golden_render(&checksum, &memory, &golden, GOLDEN_WHOLE);
+        if (status != QV_OK) {
+            fprintf(stderr, "golden %" PRIu32 ": %s\n", number, qv_status_text(status));
+            return 1;
+        }
+        printf("    0x%08" PRIx32 "u, /* %" PRIu32 " ", checksum, number);
+        print_name(&golden);
+        printf(" */\n");
+    }
+    printf("};\n\n#endif /* GOLDEN_H */\n");
+    return 0;
+}
+
+int main(int count, char **arguments)
+{
+    if (count == 2 && strcmp(arguments[1], "--update") == 0)
+        return update();
+    for (uint32_t number = 0; number < GOLDEN_SCENES; number++) {
+        golden_scene golden;
+        golden_describe(&golden, number);
+        check_checksums(number, &golden);
+        check_picture(number, &golden);
+    }
+    check_choices();
+    printf("1..%u\n", tests);
+    return failures == 0 ? 0 : 1;
+}

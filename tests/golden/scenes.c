@@ -1,0 +1,150 @@
+/*
+ * scenes.c - the golden scenes, each made from its number.
+ *
+ * Storage, sampling, order and format run through all their combinations; the
+ * rest is drawn from small tables by a generator seeded with the number. Whoever
+ * changes anything here runs `make golden-update`.
+ */
+#include "random.h"
+#include "scenes.h"
+
+/* A binary angle from whole degrees; negative ones wrap as angles do. */
+#define DEGREES(d) ((qv_angle)((int64_t)(d)*0x100000000 / 360))
+
+/* n / d with 16 fraction bits. */
+#define Q16(n, d) ((n)*65536u / (d))
+
+#define COUNT(table) (sizeof(table) / sizeof *(table))
+
+/* Each fits GOLDEN_VOXEL_BYTES with 8-byte voxels and gaps, and GOLDEN_SCALARS. */
+static const uint16_t sizes[][3] = {
+    {7, 8, 6}, {5, 9, 7}, {6, 6, 9}, {8, 7, 8}, {12, 6, 5}, {4, 3, 20}, {9, 1, 9}, {3, 2, 4},
+};
+
+static const uint32_t spacings[][3] = {
+    {Q16(1, 1), Q16(1, 1), Q16(1, 1)},
+    {Q16(3, 4), Q16(1, 1), Q16(3, 2)},
+    {Q16(2, 1), Q16(5, 4), Q16(1, 2)},
+    {0, 0, 0}, /* the default */
+};
+
+/* Along and across the axes, and in between. */
+static const qv_angle angles[] = {
+    0,           DEGREES(90), DEGREES(-64), DEGREES(-17),
+    DEGREES(30), DEGREES(57), DEGREES(113), DEGREES(201),
+    1, /* the smallest turn */
+};
+
+static const qv_angle fields_of_view[] = {0, DEGREES(20), 0, DEGREES(45), 0, DEGREES(90)};
+
+static const uint32_t steps[] = {
+    Q16(1, 1), Q16(1, 2), Q16(3, 4), Q16(3, 2), Q16(5, 16), Q16(1, 7),
+};
+
+static const uint16_t phases[] = {0, 0x8000, 0x5555, 1, 0xFFFF};
+
+static const uint16_t terminations[] = {0, QV_TERMINATION_DEFAULT, 0x1999, 0, 1};
+
+static const uint8_t backgrounds[][4] = {
+    {0, 0, 0, 0},
+    {255, 255, 255, 255},
+    {32, 64, 96, 255},
+    {200, 10, 90, 128},
+};
+
+/* Index into a table for this draw. */
+#define DRAW(state, table) random_below(state, COUNT(table))
+
+static void draw_volume(golden_scene *golden, uint32_t *state)
+{
+    uint32_t size = DRAW(state, sizes);
+    uint32_t spacing = DRAW(state, spacings);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        golden->size[axis] = sizes[size][axis];
+        golden->spacing[axis] = spacings[spacing][axis];
+    }
+    golden->content = (golden_content)random_below(state, GOLDEN_CONTENTS);
+    golden->layout = (golden_layout)random_below(state, GOLDEN_LAYOUTS);
+    if (golden->content == GOLDEN_CLASSIFIED)
+        golden->layout = GOLDEN_PACKED; /* as qv_classify stores them */
+}
+
+/* Mean of the two shorter edges of the box, in world units: what most views see
+   of it at least. */
+static uint32_t visible_extent(const golden_scene *golden)
+{
+    uint32_t sum = 0, longest = 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        uint32_t spacing = golden->spacing[axis] == 0 ? QV_ONE_Q16 : golden->spacing[axis];
+        uint32_t edge = golden->size[axis] * spacing; /* at most 40 * 2^16 */
+        sum += edge;
+        longest = edge > longest ? edge : longest;
+    }
+    return (sum - longest) / 2;
+}
+
+static void draw_view(golden_scene *golden, uint32_t *state)
+{
+    golden->azimuth = angles[DRAW(state, angles)];
+    golden->elevation = angles[DRAW(state, angles)];
+    golden->roll = angles[DRAW(state, angles)];
+    golden->field_of_view = fields_of_view[DRAW(state, fields_of_view)];
+    golden->step = steps[DRAW(state, steps)];
+    golden->phase = phases[DRAW(state, phases)];
+    golden->termination = terminations[DRAW(state, terminations)];
+    uint32_t background = DRAW(state, backgrounds);
+    for (unsigned channel = 0; channel < 4; channel++)
+        golden->background[channel] = backgrounds[background][channel];
+    golden->width = (uint16_t)(11 + random_below(state, 15));
+    golden->height = (uint16_t)(9 + random_below(state, 11));
+    golden->pitch = visible_extent(golden) / golden->height;
+}
+
+/* A part of the frame; sometimes with pixels that lie beyond it. */
+static void draw_rect(golden_scene *golden, uint32_t *state)
+{
+    qv_rect *rect = &golden->rect;
+    rect->left = (int32_t)random_below(state, 5) - 2;
+    rect->top = (int32_t)random_below(state, 5) - 2;
+    rect->right = golden->width + 1 - (int32_t)random_below(state, 3);
+    rect->bottom = golden->height + 1 - (int32_t)random_below(state, 3);
+}
+
+static void draw_rows(golden_scene *golden, uint32_t *state)
+{
+    golden->padding = (int32_t)random_below(state, 4);
+    golden->bottom_up = random_below(state, 2) != 0;
+    golden->strip =
+        (uint16_t)(golden->format == GOLDEN_MONO_VERTICAL ? 1 : 2 + random_below(state, 6));
+    golden->piece = (uint16_t)(1 + random_below(state, 100));
+}
+
+void golden_describe(golden_scene *golden, uint32_t number)
+{
+    uint32_t state = number;
+    golden->storage = (qv_storage)(QV_STORAGE_RGBA8 + number % 4);
+    golden->mode = (golden_mode)(number / 4 % 3);
+    golden->order = (golden_order)(number / 12 % 2);
+    golden->format = (golden_format)(number % GOLDEN_FORMATS);
+    draw_volume(golden, &state);
+    draw_view(golden, &state);
+    draw_rect(golden, &state);
+    draw_rows(golden, &state);
+    golden->seed = state;
+}
+
+void golden_name(const char *word[GOLDEN_WORDS], const golden_scene *golden)
+{
+    static const char *const modes[] = {"nearest", "separate", "weighted"};
+    static const char *const storages[] = {"rgba8", "rgba16", "indexed8", "indexed8_16"};
+    static const char *const orders[] = {"front to back", "back to front"};
+    static const char *const formats[] = {
+        "rgba8888", "bgra8888", "rgb888",          "rgb565_le",     "rgb565_be",
+        "l8",       "grey4",    "mono_horizontal", "mono_vertical",
+    };
+    word[0] = modes[golden->mode];
+    word[1] = storages[golden->storage - QV_STORAGE_RGBA8];
+    word[2] = orders[golden->order];
+    word[3] = golden->field_of_view == 0 ? "orthographic" : "perspective";
+    word[4] = formats[golden->format];
+}

@@ -1,0 +1,118 @@
+/*
+ * scenes.h - small seeded scenes whose pictures have known checksums on every
+ * target, compiler and optimisation level.
+ *
+ * The scenes cover every storage, sampling mode and order of compositing with
+ * each other, and every pixel format, both projections, odd sizes, strides,
+ * spacings, steps, phases, backgrounds and terminations at least once. A scene
+ * takes less than 13 KB with all its data, so that it runs where RAM is 16 KB.
+ */
+#ifndef GOLDEN_SCENES_H
+#define GOLDEN_SCENES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include "qvol.h"
+
+typedef enum golden_mode { GOLDEN_NEAREST, GOLDEN_SEPARATE, GOLDEN_WEIGHTED } golden_mode;
+
+typedef enum golden_order { GOLDEN_FRONT_TO_BACK, GOLDEN_BACK_TO_FRONT } golden_order;
+
+typedef enum golden_format {
+    GOLDEN_RGBA8888,
+    GOLDEN_BGRA8888,
+    GOLDEN_RGB888,
+    GOLDEN_RGB565_LE,
+    GOLDEN_RGB565_BE,
+    GOLDEN_L8,
+    GOLDEN_GREY4,
+    GOLDEN_MONO_HORIZONTAL,
+    GOLDEN_MONO_VERTICAL,
+    GOLDEN_FORMATS
+} golden_format;
+
+/* What fills the volume. */
+typedef enum golden_content {
+    GOLDEN_NOISE,      /* every voxel any colour and opacity, some of them transparent */
+    GOLDEN_SHELL,      /* an ellipsoid's skin of noise; nothing outside, nothing inside */
+    GOLDEN_THIN,       /* any colour, opacities at the lower end of the storage */
+    GOLDEN_BALL,       /* an ellipsoid of nearly opaque voxels */
+    GOLDEN_CLASSIFIED, /* scalars, 16 bits, through table, shading and qv_classify */
+    GOLDEN_CONTENTS
+} golden_content;
+
+/* How the voxels lie in memory. */
+typedef enum golden_layout {
+    GOLDEN_PACKED,     /* x fastest, then y, then z */
+    GOLDEN_PADDED,     /* a gap after each row and each slice */
+    GOLDEN_MIRRORED,   /* y and z run downwards in memory */
+    GOLDEN_TRANSPOSED, /* z fastest, then y, then x */
+    GOLDEN_LAYOUTS
+} golden_layout;
+
+typedef struct golden_scene {
+    uint32_t seed;
+    golden_content content;
+    qv_storage storage;
+    golden_layout layout;
+    uint16_t size[3];
+    uint32_t spacing[3]; /* Q16.16 */
+
+    golden_mode mode;
+    golden_order order;
+    qv_angle azimuth, elevation, roll;
+    qv_angle field_of_view; /* 0: orthographic */
+    uint32_t pitch, step;   /* Q16.16 */
+    uint16_t phase;
+    uint16_t termination;
+    uint8_t background[4];
+
+    uint16_t width, height; /* of the whole frame */
+    qv_rect rect;           /* the part of it, or beyond it, that is rendered */
+    golden_format format;
+    int32_t padding; /* bytes between rows */
+    bool bottom_up;  /* rows run downwards in memory */
+    uint16_t strip;  /* rows of bytes in a strip */
+    uint16_t piece;  /* pixels in a piece */
+} golden_scene;
+
+enum { GOLDEN_SCENES = 48 };
+
+/* Makes scene number 0 .. GOLDEN_SCENES - 1. */
+void golden_describe(golden_scene *golden, uint32_t number);
+
+/* The words of a scene's name, such as "weighted", "indexed8", "back to front". */
+enum { GOLDEN_WORDS = 5 };
+void golden_name(const char *word[GOLDEN_WORDS], const golden_scene *golden);
+
+enum { GOLDEN_VOXEL_BYTES = 5120, GOLDEN_SCALARS = 512, GOLDEN_PIXEL_BYTES = 2560 };
+
+/* All that a scene's data needs. */
+typedef struct golden_memory {
+    qv_transfer table;
+    uint8_t palette[QV_PALETTE_ENTRIES][4];
+    uint16_t scalars[GOLDEN_SCALARS];
+    uint16_t voxels[GOLDEN_VOXEL_BYTES / 2];
+    uint8_t pixels[GOLDEN_PIXEL_BYTES];
+} golden_memory;
+
+/* Fills the memory from the seed and describes the volume. A negative status
+   when the library refuses the data, QV_ERROR_BUFFER when the memory is small. */
+qv_status golden_volume(qv_volume *volume, golden_memory *memory, const golden_scene *golden);
+
+/* The same for the whole scene. */
+qv_status golden_make(qv_scene *scene, golden_memory *memory, const golden_scene *golden);
+
+/* The ways to render one picture; all give the same bytes. */
+typedef enum golden_way { GOLDEN_WHOLE, GOLDEN_STRIPS, GOLDEN_ROWS, GOLDEN_PIECES } golden_way;
+
+enum { GOLDEN_WAYS = 4 };
+
+extern const char *const golden_way_name[GOLDEN_WAYS];
+
+/* Renders a scene and tells the CRC-32 of all of memory->pixels: of the picture,
+   the gaps between its rows and what follows it, which nobody may touch. */
+qv_status golden_render(uint32_t *checksum, golden_memory *memory, const golden_scene *golden,
+                        golden_way way);
+
+#endif /* GOLDEN_SCENES_H */
