@@ -46,15 +46,18 @@ lib: $(LIBRARY) ## the library for TARGET: build/TARGET/libqvol.a
 
 $(LIBRARY): $(LIBRARY_OBJECTS)
 	@rm -f $@
-	$(TARGET_AR) rcs $@ $^
+	@echo "  AR  $@"
+	@$(TARGET_AR) rcs $@ $^
 
 $(OUT)/core/%.o: core/%.c
 	@mkdir -p $(@D)
-	$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
+	@echo "  CC  $<"
+	@$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
 
 $(OUT)/fixedpoint/%.o: fixedpoint/%.c
 	@mkdir -p $(@D)
-	$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
+	@echo "  CC  $<"
+	@$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
 
 -include $(LIBRARY_OBJECTS:.o=.d)
 

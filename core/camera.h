@@ -6,21 +6,23 @@
 
 #include "qvol.h"
 
-#define QV_VOXEL       ((qv_coord)1 << 32) /* 1 in Q31.32 */
-#define QV_MOST_PITCH  (QV_VOXEL << 12)    /* of |across|, |down| */
-#define QV_MOST_PACE   (QV_VOXEL << 6)     /* of |along| or pace */
-#define QV_LEAST_PACE  (QV_VOXEL >> 8)
-#define QV_MOST_ORIGIN (QV_VOXEL << 20)
+#define QV_VOXEL      ((qv_coord)1 << 32) /* 1 in Q31.32 */
+#define QV_LEAST_PACE 0x1000000u          /* 2^-8 voxel */
+
+/* In whole voxels: */
+#define QV_MOST_PITCH  (1u << 12) /* of |across|, |down| */
+#define QV_MOST_PACE   (1u << 8)  /* of |along| or pace */
+#define QV_MOST_ORIGIN (1u << 20)
 
 /* Ranges and independence as stated at qv_camera. QV_OK, QV_ERROR_NULL, _CAMERA. */
 qv_status qv_camera_check(const qv_camera *camera);
 
-/* A world length as voxels of an axis: v / spacing, to nearest; v in Q31.32, |v|
-   < 2^54, spacing Q16.16 of 2^8 .. 2^24. */
-qv_coord qv_to_voxels(qv_coord v, uint32_t spacing);
+/* A world length, Q16.16, as voxels of an axis, to nearest. At most 2^12 voxels for
+   a pitch and 2^8 for a step that qv_view_check has passed. */
+qv_coord qv_voxels(uint32_t length, const qv_volume *volume, unsigned axis);
 
-/* Ranges of a view and of what it makes of the volume's spacing, with the errors
-   stated at qv_orthographic. */
+/* Ranges of a view and of the volume's spacing, with the errors stated at
+   qv_orthographic. */
 qv_status qv_view_check(const qv_volume *volume, const qv_view *view);
 
 /* What leads from pixel (0, 0) to the centre of the frame, on one axis. */

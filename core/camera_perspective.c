@@ -27,6 +27,17 @@ static qv_coord eye_distance(uint32_t height_q16, int32_t sine, int32_t cosine)
     return (qv_coord)((low >> 17) + (high << 15)); /* height * cotangent * 2^48 / 2^17 */
 }
 
+/* A world length as voxels: v / spacing, to nearest; v in Q31.32, |v| < 2^55, and
+   spacing Q16.16 of 2^12 .. 2^20. */
+static qv_coord to_voxels(qv_coord v, uint32_t spacing)
+{
+    uint64_t size = v < 0 ? 0u - (uint64_t)v : (uint64_t)v;
+    uint64_t whole = fx_divide(size, spacing); /* Q47.16, < 2^43 */
+    uint64_t rest = size - whole * spacing;    /* < spacing, so rest * 2^16 < 2^36 */
+    uint64_t voxels = (whole << 16) + fx_divide((rest << 16) + (spacing >> 1), spacing);
+    return v < 0 ? -(qv_coord)voxels : (qv_coord)voxels;
+}
+
 /* World units from pixel to pixel at distance 1, Q31.32: twice the tangent of
    half the field by the rows of the frame. */
 static qv_coord pixel_slope(uint16_t height, int32_t sine, int32_t cosine)
@@ -54,12 +65,12 @@ qv_status qv_perspective(qv_camera *camera, const qv_volume *volume, const qv_vi
     for (unsigned axis = 0; axis < 3; axis++) {
         uint32_t spacing = qv_spacing(volume->spacing, axis);
         int32_t forward = view->rotation[2][axis];
-        qv_coord to_centre = qv_to_voxels(fx_scale_q30(distance, forward), spacing);
+        qv_coord to_centre = to_voxels(fx_scale_q30(distance, forward), spacing);
         camera->origin[axis] = volume->size[axis] * (QV_VOXEL / 2) - to_centre;
         camera->across[axis] = fx_scale_q30(slope, view->rotation[0][axis]);
         camera->down[axis] = fx_scale_q30(slope, view->rotation[1][axis]);
         camera->along[axis] = (qv_coord)forward * 4 - qv_half_frame(camera, axis, view);
-        camera->pace[axis] = qv_to_voxels((qv_coord)view->step << 16, spacing);
+        camera->pace[axis] = qv_voxels(view->step, volume, axis);
     }
     camera->step = view->step;
     camera->ray = qv_ray_perspective;
@@ -77,8 +88,9 @@ static int normalise(int32_t unit[3], const qv_coord direction[3])
         qv_coord v = direction[axis] < 0 ? -direction[axis] : direction[axis];
         if (v > MOST_DIRECTION)
             return 0;
-        size[axis] = (uint32_t)((v + (1 << (DIRECTION_SHIFT - 1))) >> DIRECTION_SHIFT); /* <= 2^30 */
-        square += fx_wide_product(size[axis], size[axis]); /* <= 3 * 2^60 */
+        size[axis] =
+            (uint32_t)((v + (1 << (DIRECTION_SHIFT - 1))) >> DIRECTION_SHIFT); /* <= 2^30 */
+        square += fx_wide_product(size[axis], size[axis]);                     /* <= 3 * 2^60 */
     }
     if (square < LEAST_SQUARE)
         return 0;
@@ -95,7 +107,7 @@ static int normalise(int32_t unit[3], const qv_coord direction[3])
 
 void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y)
 {
-    const qv_camera *camera = &context->camera;
+    const qv_camera *camera = &context->scene.camera;
     qv_coord direction[3];
     int32_t unit[3];
     for (unsigned axis = 0; axis < 3; axis++)
@@ -105,7 +117,8 @@ void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, in
         return;
     for (unsigned axis = 0; axis < 3; axis++) {
         ray->advance[axis] = fx_scale_q30(camera->pace[axis], unit[axis]);
-        ray->place[axis] = camera->origin[axis] + qv_phase_of(ray->advance[axis], context->phase);
+        ray->place[axis] =
+            camera->origin[axis] + qv_phase_of(ray->advance[axis], context->scene.phase);
     }
-    qv_ray_clip(ray, context->volume.size, 0);
+    qv_ray_clip(ray, context->scene.volume.size, 0);
 }

@@ -34,14 +34,15 @@ QV_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
 QV_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
                         qv_mode *mode)
 {
+    uint32_t enough = (uint32_t)context->scene.termination << 15; /* unorm16 to Q1.31 */
     while (ray->samples != 0) {
         uint32_t colour[3], opacity;
         ray->samples--;
-        if (!qv_take(colour, &opacity, ray, &context->volume, storage, mode)) {
+        if (!qv_take(colour, &opacity, ray, &context->scene.volume, storage, mode)) {
             light->skipped++;
         } else {
             qv_under(light, colour, opacity);
-            if (light->transmittance <= context->termination) {
+            if (light->transmittance <= enough) {
                 light->terminated = ray->samples != 0;
                 return;
             }
@@ -55,7 +56,7 @@ QV_INLINE void qv_reverse(qv_ray *ray)
 {
     int32_t last = (int32_t)(ray->samples - 1u);
     for (unsigned axis = 0; axis < 3; axis++) {
-        ray->place[axis] += last * ray->advance[axis];
+        ray->place[axis] += fx_multiply(ray->advance[axis], last);
         ray->advance[axis] = -ray->advance[axis];
     }
 }
@@ -66,7 +67,7 @@ QV_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
 {
     for (qv_reverse(ray); ray->samples != 0; ray->samples--) {
         uint32_t colour[3], opacity;
-        if (qv_take(colour, &opacity, ray, &context->volume, storage, mode))
+        if (qv_take(colour, &opacity, ray, &context->scene.volume, storage, mode))
             qv_over(light, colour, opacity);
         else
             light->skipped++;
@@ -88,7 +89,8 @@ QV_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
         qv_march_back(light, ray, context, storage, qv_sample_##mode);                             \
     }                                                                                              \
     const qv_sampling qv_##mode##_##suffix = {march_##suffix, read_out, storage};                  \
-    const qv_sampling qv_##mode##_##suffix##_back_to_front = {march_back_##suffix, read_out, storage};
+    const qv_sampling qv_##mode##_##suffix##_back_to_front = {march_back_##suffix, read_out,       \
+                                                              storage};
 
 #define QV_DEFINE_SAMPLINGS(mode)                                                                  \
     QV_DEFINE_SAMPLING(mode, rgba8, QV_STORAGE_RGBA8, QV_READ_OUT_8)                               \

@@ -90,8 +90,8 @@ typedef enum qv_status {
     QV_ERROR_SIZE = -3,        /* an axis is 0 or longer than QV_AXIS_MAX */
     QV_ERROR_STRIDE = -4,      /* strides overlap, are odd for 16-bit data, or leave the memory given */
     QV_ERROR_PALETTE = -5,     /* palette missing, or not of 256 entries */
-    QV_ERROR_SPACING = -6,     /* spacing outside 1/256 .. 256 */
-    QV_ERROR_STEP = -7,        /* step, or step by spacing, out of range */
+    QV_ERROR_SPACING = -6,     /* spacing outside 1/16 .. 16 */
+    QV_ERROR_STEP = -7,        /* step out of range */
     QV_ERROR_UNIT = -8,        /* unit distance differs from the step */
     QV_ERROR_CAMERA = -9,      /* matrix degenerate or out of range */
     QV_ERROR_VIEW = -10,       /* frame size, pitch or field of view out of range */
@@ -137,7 +137,7 @@ typedef struct qv_volume {
     qv_address occupancy;   /* reserved for empty-space structures: null */
     uint64_t voxels_bytes;  /* memory that the voxels span, from the lowest byte to the highest */
     uint32_t palette_bytes; /* QV_PALETTE8_BYTES or QV_PALETTE16_BYTES; 0 without palette */
-    uint32_t spacing[3];    /* world units per voxel, Q16.16, 1/256 .. 256; 0 means 1 */
+    uint32_t spacing[3];    /* world units per voxel, Q16.16, 1/16 .. 16; 0 means 1 */
     uint32_t unit_distance; /* world length for which opacities hold, Q16.16; 0: the step */
     int32_t stride[3];      /* bytes to the next voxel on x, y, z; any order, any sign, even for
                                16-bit data. The axes must nest: sorted by size, each stride is at
@@ -175,22 +175,23 @@ void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, in
  *   perspective:  v = along + x*across + y*down   (a world direction, any length)
  *                 p = origin + (k + phase)*pace * v/|v|,  k >= 0, by component
  *
- * Ranges: |origin| <= 2^20 voxels; |across|, |down| <= 2^12; |along| <= 2^6;
+ * Ranges: |origin| <= 2^20 voxels; |across|, |down| <= 2^12; |along| <= 2^8;
  * the largest component of along (orthographic) and every pace (perspective)
- * at least 2^-8 voxel, pace at most 2^6; perspective: |v| <= 8 on every axis
+ * at least 2^-8 voxel, pace at most 2^8; perspective: |v| <= 8 on every axis
  * and |v| >= 2^-4 for the pixels that are rendered, other pixels show the
  * background, as do all where pace is 0. The vectors across, down and along must be independent: the
- * determinant of the three, each divided by its largest component, is at least
- * 2^-12 in magnitude.
+ * determinant of the three, each scaled by a power of 2 that takes its largest
+ * component to 1/2 .. 1, is at least 2^-14 in magnitude. (Vectors shorter than
+ * 2^-17 voxel count as too short.)
  */
 typedef struct qv_camera {
+    qv_ray_setup *ray;    /* qv_ray_orthographic or qv_ray_perspective */
+    uint32_t step;        /* length of the step in world units, Q16.16 */
     qv_coord origin[3];
     qv_coord across[3];
     qv_coord down[3];
     qv_coord along[3];
     qv_coord pace[3];     /* perspective: step by spacing, voxels per step; orthographic: 0 */
-    uint32_t step;        /* length of the step in world units, Q16.16 */
-    qv_ray_setup *ray;    /* qv_ray_orthographic or qv_ray_perspective */
 } qv_camera;
 
 /*
@@ -211,7 +212,7 @@ typedef struct qv_view {
     int32_t rotation[3][3]; /* rows right, down, forward, Q2.30; from qv_rotation or the caller's
                                own: components at most 1 in magnitude */
     uint32_t pitch;         /* world units from pixel to pixel, at the volume's centre in perspective;
-                               Q16.16, 2^-12 .. 2^12; by spacing at most 2^12 */
+                               Q16.16, 2^-12 .. 2^8 */
     uint32_t step;          /* world units from sample to sample, Q16.16, 1/16 .. 16 */
     uint16_t width;         /* of the whole frame in pixels, 1 .. QV_PIXEL_MAX */
     uint16_t height;
@@ -232,8 +233,7 @@ typedef struct qv_view {
  * than 1/256 voxel.
  *
  * Return QV_OK or QV_ERROR_NULL, _SIZE, _SPACING, _VIEW (also, in perspective, a
- * frame higher than 65535 world units), _STEP (step outside 1/16 .. 16, or step
- * by spacing outside 2^-8 .. 2^6), _CAMERA (rotation out of range). Whether the
+ * frame higher than 65535 world units), _STEP, _CAMERA (rotation out of range). Whether the
  * rotation is degenerate, and whether the eye is in range, qv_init tells.
  */
 qv_status qv_orthographic(qv_camera *camera, const qv_volume *volume, const qv_view *view);
@@ -320,14 +320,14 @@ size_t qv_row_bytes(const qv_format *format, uint16_t width);
 /* ---- Rendering ---------------------------------------------------------- */
 
 typedef struct qv_scene {
-    qv_volume volume;
-    qv_camera camera;
     const qv_sampling *sampling; /* must read the volume's storage */
     uint16_t phase;              /* of the sample grid, Q0.16 of a step */
     uint16_t termination;        /* transmittance, 65535 is 1, at or below which a front-to-back ray
                                     ends; 0: only where nothing more can be seen.
                                     QV_TERMINATION_DEFAULT costs at most 1/4 of an 8-bit level */
     uint8_t background[4];       /* R, G, B (unweighted) and opacity; all 0: transparent */
+    qv_volume volume;
+    qv_camera camera;
 } qv_scene;
 
 #define QV_TERMINATION_DEFAULT 64
@@ -335,12 +335,8 @@ typedef struct qv_scene {
 /* A checked scene, ready to render. Plain data: it may be copied, and holds no
    pointer into itself. Its fields are the library's own. */
 typedef struct qv_context {
-    qv_volume volume;
-    qv_camera camera;
-    const qv_sampling *sampling;
-    uint32_t background[4];  /* associated, levels with 16 fraction bits */
-    uint32_t termination;    /* transmittance, Q1.31 */
-    uint16_t phase;
+    uint32_t background[4]; /* associated, levels with 17 fraction bits */
+    qv_scene scene;
 } qv_context;
 
 /*
@@ -375,8 +371,8 @@ qv_status qv_render(const qv_image *image, const qv_context *context, const qv_r
 
 /*
  * Rendering in bounded pieces: zero a qv_progress, then call qv_render_some
- * until it returns QV_OK. Each call renders at most max_pixels pixels (at least
- * one), row by row from the top, and returns QV_MORE while pixels remain; a
+ * until it returns QV_OK. Each call renders at most max_pixels pixels, row by row
+ * from the top, and returns QV_MORE while pixels remain; a
  * caller may stop at any time. The pixels are those of qv_render. A ray takes
  * at most 2^23 samples. Returns QV_OK, QV_MORE, or QV_ERROR_NULL, _RECT (also
  * for a progress outside the rectangle), _BUFFER.
@@ -385,8 +381,8 @@ typedef struct qv_progress {
     uint16_t column;     /* next pixel, counted from the rectangle's left top */
     uint16_t line;       /* the rectangle's height where all are done */
     uint32_t terminated; /* rays that ended at the termination threshold */
-    uint64_t samples;    /* samples that were taken, skipped ones included */
-    uint64_t skipped;    /* samples in cells whose opacities are all 0 */
+    uint32_t samples;    /* samples that were taken, skipped ones included; modulo 2^32 */
+    uint32_t skipped;    /* samples in cells whose opacities are all 0; modulo 2^32 */
 } qv_progress;
 
 qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_context *context,
@@ -436,12 +432,13 @@ typedef struct qv_scalars {
  * the outermost value is repeated), the normal against the gradient, and
  *   colour = min(1, colour * (ambient + diffuse * max(0, n.l)) + specular * max(0, n.h)^(2^gloss))
  * where h is halfway between light and viewer (Blinn-Phong; specular 0 is
- * Lambert). Coefficients are Q0.8 with 256 as 1. Where the gradient's magnitude
- * is below least_gradient, the voxel keeps its colour.
+ * Lambert). Coefficients are Q0.8 with 256 as 1. Where the gradient is 0, or its
+ * magnitude below least_gradient (an exact comparison), the voxel keeps its
+ * colour. Light and viewer within 1/256 of a radian of opposite give no highlight.
  */
 typedef struct qv_shading {
     int16_t light[3];        /* direction to the light in world axes, any length but 0 */
-    int16_t viewer[3];       /* direction to the viewer */
+    int16_t viewer[3];       /* direction to the viewer, as light; not read where specular is 0 */
     uint16_t ambient;        /* 0 .. 256 */
     uint16_t diffuse;        /* 0 .. 256 */
     uint16_t specular;       /* 0 .. 256 */
@@ -470,9 +467,10 @@ typedef struct qv_block {
 
 /*
  * Classifies a block into tightly packed voxels, x fastest, then y, then z:
- * bytes must be at least the block's voxels times the storage's 4, 8 or 1.
- * Blocks give the same voxels as the whole volume. Rounding: the index to
- * nearest; shaded colours within 1 of 255, or 16 of 65535, of real arithmetic.
+ * bytes must be at least the block's voxels times the storage's 4, 8 or 1, and
+ * the address needs no alignment. Blocks give the same voxels as the whole
+ * volume. Rounding: the index to nearest; shaded colours within 1 of 255, or 1
+ * of 65535, of real arithmetic.
  * Returns QV_OK or QV_ERROR_NULL, _STORAGE, _SIZE (also an empty block or one
  * outside the volume), _STRIDE, _SPACING, _WINDOW, _LIGHT, _BUFFER.
  */

@@ -1,7 +1,5 @@
 #include "ray.h"
 
-#include "fx_wide.h"
-
 #define QUOTIENT_BITS 23u
 #define HALF_VOXEL    ((qv_coord)1 << 31)
 #define ROUNDING      ((qv_coord)1 << 23)
@@ -69,10 +67,10 @@ void qv_ray_clip(qv_ray *ray, const uint16_t size[3], int32_t first)
     /* where samples remain, the point lies in the box: no overflow */
     if (ray->samples != 0)
         for (unsigned axis = 0; axis < 3; axis++)
-            ray->place[axis] += k.first * ray->advance[axis] - HALF_VOXEL + ROUNDING;
+            ray->place[axis] += fx_multiply(ray->advance[axis], k.first) - HALF_VOXEL + ROUNDING;
 }
 
 qv_coord qv_phase_of(qv_coord v, uint16_t phase)
 {
-    return fx_shift_floor(v * phase + 0x8000, 16); /* |v| * 2^16 < 2^56 */
+    return fx_shift_floor(fx_multiply(v, phase) + 0x8000, 16); /* |v| * 2^16 <= 2^56 */
 }

@@ -4,6 +4,7 @@
 #ifndef QV_RAY_H
 #define QV_RAY_H
 
+#include "fx_wide.h"
 #include "qvol.h"
 
 /* The sample numbers k of a ray lie in -QV_GRID_LIMIT .. QV_GRID_LIMIT - 1. */
@@ -33,10 +34,10 @@ void qv_ray_clip(qv_ray *ray, const uint16_t size[3], int32_t first);
 static inline qv_coord qv_pixel_point(const qv_coord base[3], const qv_camera *camera,
                                       unsigned axis, int32_t x, int32_t y)
 {
-    return base[axis] + x * camera->across[axis] + y * camera->down[axis];
+    return base[axis] + fx_multiply(camera->across[axis], x) + fx_multiply(camera->down[axis], y);
 }
 
-/* phase * v, v in Q31.32 below 2^40. */
+/* phase * v, v in Q31.32 at most 2^40. */
 qv_coord qv_phase_of(qv_coord v, uint16_t phase);
 
 #endif /* QV_RAY_H */

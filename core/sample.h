@@ -11,7 +11,7 @@
 #include "weights.h"
 
 typedef struct qv_sample {
-    fx_sum light[3]; /* associated colour; 1 is 65536 * 255 * 255 or 65535 * 65535 */
+    fx_sum light[3];  /* associated colour; 1 is 65536 * 255 * 255 or 65535 * 65535 */
     fx_share opacity; /* 1 is 65536 * 255 or 65536 * 65535 */
 } qv_sample;
 

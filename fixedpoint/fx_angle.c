@@ -4,38 +4,30 @@
 
 #define EIGHTH_TURN 0x20000000u
 
-/* a*b of two Q0.32 fractions, and Q0.32 to Q2.30, both to nearest. */
-#define TIMES fx_high_product
+/*
+ * Series in u = angle / 45 degrees, 0 <= u < 1, as Q0.32: coefficients (pi/4)^n /
+ * n! * 2^32, the highest power first. That one is less by .93 of the term left
+ * out for the sine. What is left out is below 2^-32 for both.
+ */
+#define TERMS 5
+static const uint32_t sine_series[TERMS] = {0x0000053B, 0x000265A6, 0x00A335E3, 0x14ABBCE6,
+                                            0xC90FDAA2}; /* u^9 .. u */
+static const uint32_t cosine_series[TERMS] = {0x0000006A, 0x00003C3F, 0x00155D3C, 0x040F07C2,
+                                              0x4EF4F327}; /* u^10 .. u^2 */
 
+/* c[4] - u2 * (c[3] - u2 * (c[2] - ...)); each bracket lies in 0 .. 1. */
+static uint32_t alternating(const uint32_t c[TERMS], uint32_t u2)
+{
+    uint32_t sum = c[0];
+    for (unsigned i = 1; i < TERMS; i++)
+        sum = c[i] - fx_high_product(u2, sum);
+    return sum;
+}
+
+/* Q0.32 to Q2.30, to nearest. */
 static int32_t to_q30(uint32_t fraction)
 {
     return (int32_t)((fraction >> 2) + ((fraction >> 1) & 1u)); /* <= 2^30 */
-}
-
-/*
- * Series in u = angle / 45 degrees, 0 <= u < 1, as Q0.32. The coefficients are
- * (pi/4)^n / n! * 2^32; the last one of the sine is less by .93 of the term that
- * is left out. What is left out is below 2^-32 for both. Every bracket lies in
- * 0 .. 1, so no step wraps.
- */
-static int32_t sine_of_eighth(uint32_t u)
-{
-    uint32_t u2 = TIMES(u, u);
-    uint32_t s = 0x000265A6u - TIMES(u2, 0x0000053Bu);
-    s = 0x00A335E3u - TIMES(u2, s);
-    s = 0x14ABBCE6u - TIMES(u2, s);
-    s = 0xC90FDAA2u - TIMES(u2, s);
-    return to_q30(TIMES(u, s));
-}
-
-static int32_t cosine_of_eighth(uint32_t u)
-{
-    uint32_t u2 = TIMES(u, u);
-    uint32_t c = 0x00003C3Fu - TIMES(u2, 0x0000006Au);
-    c = 0x00155D3Cu - TIMES(u2, c);
-    c = 0x040F07C2u - TIMES(u2, c);
-    c = 0x4EF4F327u - TIMES(u2, c);
-    return FX_ONE_Q30 - to_q30(TIMES(u2, c));
 }
 
 void fx_sine_cosine(int32_t *sine, int32_t *cosine, fx_angle angle)
@@ -45,7 +37,9 @@ void fx_sine_cosine(int32_t *sine, int32_t *cosine, fx_angle angle)
     int mirrored = rest > EIGHTH_TURN;
     uint32_t eighth = mirrored ? FX_QUARTER_TURN - rest : rest; /* <= 2^29 */
     uint32_t u = eighth == EIGHTH_TURN ? 0xFFFFFFFFu : eighth << 3;
-    int32_t s = sine_of_eighth(u), c = cosine_of_eighth(u);
+    uint32_t u2 = fx_high_product(u, u);
+    int32_t s = to_q30(fx_high_product(u, alternating(sine_series, u2)));
+    int32_t c = FX_ONE_Q30 - to_q30(fx_high_product(u2, alternating(cosine_series, u2)));
 
     /* sin(90 - a) = cos(a); sin(a + 90) = cos(a), cos(a + 90) = -sin(a) */
     int swapped = mirrored != (int)(quadrant & 1u);

@@ -12,10 +12,10 @@ static uint32_t times_q31(uint32_t a, uint32_t b)
  * Relative error of the estimate 2.13 - 1.2 x is below .09 on 1/4 .. 1; an
  * iteration takes e to 3/2 e^2, so four of them leave the rounding alone.
  */
-#define ESTIMATE_AT_0 0x8851EB85u /* 2.13 in Q2.30 */
+#define ESTIMATE_AT_0  0x8851EB85u /* 2.13 in Q2.30 */
 #define ESTIMATE_SLOPE 0x4CCCCCCDu /* 1.2 in Q2.30 */
-#define THREE_Q30 0xC0000000u
-#define ITERATIONS 4
+#define THREE_Q30      0xC0000000u
+#define ITERATIONS     4
 
 uint32_t fx_rsqrt(uint64_t n, unsigned *exponent)
 {
@@ -28,7 +28,7 @@ uint32_t fx_rsqrt(uint64_t n, unsigned *exponent)
     }
     *exponent = 32u - shift;
 
-    uint32_t x = (uint32_t)(n >> 32); /* Q0.32 in 1/4 .. 1 */
+    uint32_t x = (uint32_t)(n >> 32);                                   /* Q0.32 in 1/4 .. 1 */
     uint32_t root = ESTIMATE_AT_0 - fx_high_product(x, ESTIMATE_SLOPE); /* Q2.30, .93 .. 1.83 */
     for (unsigned i = 0; i < ITERATIONS; i++) {
         /* x*r <= 1.1, Q1.31; x*r*r <= 1.2, Q2.30; r*(3 - x r r)/2 <= 2, Q2.30 */

@@ -1,15 +1,43 @@
 #include "fx_wide.h"
 
+/*
+ * Both products take a and b apart into 16-bit digits: each partial product is
+ * at most 65535^2 < 2^32. `middle` is what lands on bits 16 to 31, with the
+ * carry out of the lowest product; it stays below 3 * 2^16.
+ */
+uint64_t fx_wide_product_narrow(uint32_t a, uint32_t b)
+{
+    uint32_t al = a & 0xFFFFu, ah = a >> 16, bl = b & 0xFFFFu, bh = b >> 16;
+    uint32_t low = al * bl, cross1 = al * bh, cross2 = ah * bl;
+    uint32_t middle = (low >> 16) + (cross1 & 0xFFFFu) + (cross2 & 0xFFFFu);
+    uint32_t high = ah * bh + (cross1 >> 16) + (cross2 >> 16) + (middle >> 16);
+    return (uint64_t)high << 32 | (middle << 16 | (low & 0xFFFFu));
+}
+
+uint32_t fx_high_product_narrow(uint32_t a, uint32_t b)
+{
+    uint64_t product = fx_wide_product_narrow(a, b); /* rounding cannot carry past 2^32 - 2 */
+    return (uint32_t)(product >> 32) + ((uint32_t)product >> 31);
+}
+
+int64_t fx_multiply(int64_t v, int32_t n)
+{
+    uint32_t low = (uint32_t)v, high = (uint32_t)((uint64_t)v >> 32), size = (uint32_t)n;
+    uint64_t product = fx_wide_product(low, size);
+    high *= size;
+    if (n < 0)
+        high -= low; /* size is n + 2^32 */
+    product += (uint64_t)high << 32;
+    return (product >> 63) != 0 ? -(int64_t)(~product) - 1 : (int64_t)product;
+}
+
 int64_t fx_scale_q30(int64_t v, int32_t factor)
 {
-    uint64_t size = v < 0 ? 0u - (uint64_t)v : (uint64_t)v;
-    uint32_t scale = factor < 0 ? 0u - (uint32_t)factor : (uint32_t)factor;
-    /* |v| * factor = high * 2^32 + low with high < 2^60, low < 2^62; dividing
-       high by 2^30 leaves no remainder. */
-    uint64_t high = fx_wide_product((uint32_t)(size >> 32), scale);
-    uint64_t low = fx_wide_product((uint32_t)size, scale);
-    uint64_t result = (high << 2) + ((low + 0x20000000u) >> 30); /* <= |v| + 1/2 < 2^63 */
-    return (v < 0) != (factor < 0) ? -(int64_t)result : (int64_t)result;
+    /* v = high * 2^32 + low: high * factor < 2^60, low * factor < 2^63, and dividing
+       high * 2^32 by 2^30 leaves no remainder. */
+    int64_t high = fx_multiply(fx_shift_floor(v, 32), factor);
+    int64_t low = fx_multiply((int64_t)(uint32_t)v, factor);
+    return high * 4 + fx_shift_floor(low + 0x20000000, 30);
 }
 
 uint64_t fx_divide(uint64_t n, uint32_t d)

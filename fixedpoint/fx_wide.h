@@ -19,32 +19,11 @@
 #endif
 #endif
 
-/* The partial products of a * b on 16-bit digits: a*b = high * 2^32 + middle *
-   2^16 + (low & 0xFFFF), where middle holds the carry out of low. */
-typedef struct {
-    uint32_t high, middle, low;
-} fx_digits;
-
-static inline fx_digits fx_digit_product(uint32_t a, uint32_t b)
-{
-    uint32_t al = a & 0xFFFFu, ah = a >> 16, bl = b & 0xFFFFu, bh = b >> 16;
-    uint32_t cross1 = al * bh; /* each product <= 65535^2 < 2^32 */
-    uint32_t cross2 = ah * bl;
-    fx_digits p;
-    p.low = al * bl;
-    p.middle = (p.low >> 16) + (cross1 & 0xFFFFu) + (cross2 & 0xFFFFu); /* < 3 * 2^16 */
-    p.high = ah * bh + (cross1 >> 16) + (cross2 >> 16); /* <= a*b / 2^32 < 2^32 */
-    return p;
-}
-
 /* a * b, exact: the form for machines without a wide multiplication. */
-static inline uint64_t fx_wide_product_narrow(uint32_t a, uint32_t b)
-{
-    fx_digits p = fx_digit_product(a, b);
-    uint32_t high = p.high + (p.middle >> 16);
-    uint32_t low = (p.middle << 16) | (p.low & 0xFFFFu);
-    return (uint64_t)high << 32 | low;
-}
+uint64_t fx_wide_product_narrow(uint32_t a, uint32_t b);
+
+/* round(a * b / 2^32), ties upwards: the same form's upper half. */
+uint32_t fx_high_product_narrow(uint32_t a, uint32_t b);
 
 /* a * b, exact. */
 static inline uint64_t fx_wide_product(uint32_t a, uint32_t b)
@@ -60,8 +39,7 @@ static inline uint64_t fx_wide_product(uint32_t a, uint32_t b)
 static inline uint32_t fx_high_product(uint32_t a, uint32_t b)
 {
 #if FX_NARROW
-    fx_digits p = fx_digit_product(a, b);
-    return p.high + ((p.middle + 0x8000u) >> 16);
+    return fx_high_product_narrow(a, b);
 #else
     return (uint32_t)(((uint64_t)a * b + 0x80000000u) >> 32);
 #endif
@@ -83,8 +61,11 @@ static inline int64_t fx_shift_floor(int64_t v, unsigned n)
     return v < 0 ? ~(~v >> n) : v >> n;
 }
 
-/* round(v * factor / 2^30), ties away from zero; factor is Q2.30, |factor| <=
-   2^30, |v| < 2^62. Error at most 1/2 unit of v. */
+/* v * n modulo 2^64; exact where |v * n| < 2^63, which callers state. */
+int64_t fx_multiply(int64_t v, int32_t n);
+
+/* round(v * factor / 2^30), ties upwards; factor is Q2.30, |v| <
+   2^61. Error at most 1/2 unit of v. */
 int64_t fx_scale_q30(int64_t v, int32_t factor);
 
 /* floor(n / d) by shift and subtract, for set-up; 0 < d < 2^31. */

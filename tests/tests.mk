@@ -45,15 +45,18 @@ golden-update: $(GOLDEN_TEST) ## write tests/golden/golden.h anew, after a chang
 
 $(TEST_OUT)/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(TEST_CFLAGS) -c $< -o $@
+	@echo "  CC  $<"
+	@$(CC) $(TEST_CFLAGS) -c $< -o $@
 
 $(UNIT_TESTS) $(ACCURACY_TESTS) $(EXHAUSTIVE_TESTS): $(TEST_OUT)/%: $(TEST_OUT)/tests/%.o $(REFERENCE_OBJECTS) $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $^ $(TEST_LIBS) -o $@
+	@echo "  LD  $@"
+	@$(CC) $(CFLAGS) $^ $(TEST_LIBS) -o $@
 
 $(GOLDEN_TEST): $(GOLDEN_SOURCES:%.c=$(TEST_OUT)/%.o) $(REFERENCE_OBJECTS) $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $^ $(TEST_LIBS) -o $@
+	@echo "  LD  $@"
+	@$(CC) $(CFLAGS) $^ $(TEST_LIBS) -o $@
 
 -include $(shell find $(TEST_OUT) -name '*.d' 2>/dev/null)
 .SECONDARY:

@@ -1,0 +1,13 @@
+/*
+ * image.h - checks of where pixels go.
+ */
+#ifndef QV_IMAGE_H
+#define QV_IMAGE_H
+
+#include "qvol.h"
+
+/* Everything that qv_render_some checks before it writes, but the context.
+   QV_OK, QV_ERROR_NULL, _RECT, _BUFFER. */
+qv_status qv_image_check(const qv_image *image, const qv_progress *progress, const qv_rect *rect);
+
+#endif /* QV_IMAGE_H */

@@ -1,0 +1,38 @@
+#include "camera.h"
+#include "fx_unorm.h"
+
+/* Levels with 17 fraction bits of colour * opacity: p * 131072 / 255 for p <=
+   255^2, as 65536 = 255 * 257 + 1. At most 255 * 131072. */
+static uint32_t associated_level(uint8_t colour, uint8_t opacity)
+{
+    uint32_t p = (uint32_t)colour * opacity;
+    return 2u * (p * 257u + fx_div255_round(p));
+}
+
+static qv_status check_scene(const qv_scene *scene)
+{
+    qv_status status = qv_volume_check(&scene->volume);
+    if (status != QV_OK)
+        return status;
+    if (!scene->sampling)
+        return QV_ERROR_NULL;
+    if (scene->sampling->storage != scene->volume.storage)
+        return QV_ERROR_STORAGE;
+    if (scene->volume.unit_distance != 0 && scene->volume.unit_distance != scene->camera.step)
+        return QV_ERROR_UNIT;
+    return qv_camera_check(&scene->camera);
+}
+
+qv_status qv_init(qv_context *context, const qv_scene *scene)
+{
+    if (!context || !scene)
+        return QV_ERROR_NULL;
+    qv_status status = check_scene(scene);
+    if (status != QV_OK)
+        return status;
+    const uint8_t *background = scene->background;
+    context->scene = *scene;
+    for (unsigned c = 0; c < 4; c++)
+        context->background[c] = associated_level(c < 3 ? background[c] : 255, background[3]);
+    return QV_OK;
+}
