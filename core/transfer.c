@@ -10,19 +10,19 @@ static int points_rise(const qv_control_point *points, uint16_t count)
     return 1;
 }
 
-/* (from * (n - t) + to * t) / n to nearest, ties upwards; 0 <= t <= n <= 255. */
+/* (from * (n - t) + to * t) / n to nearest, ties upwards; 0 <= t < n <= 255. */
 static uint16_t between(uint16_t from, uint16_t to, uint32_t t, uint32_t n)
 {
     uint32_t sum = from * (n - t) + to * t; /* <= 65535 * 255 < 2^24 */
     return (uint16_t)((2u * sum + n) / (2u * n));
 }
 
-/* Entries from one point to the next, both included. */
+/* Entries from one point up to the next, without it. */
 static void fill_between(qv_transfer table, const qv_control_point *from,
                          const qv_control_point *to)
 {
     uint32_t n = (uint32_t)to->index - from->index; /* 1 .. 255 */
-    for (uint32_t t = 0; t <= n; t++)
+    for (uint32_t t = 0; t < n; t++)
         for (unsigned channel = 0; channel < 4; channel++)
             table[from->index + t][channel] = between(from->rgba[channel], to->rgba[channel], t, n);
 }
