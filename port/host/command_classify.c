@@ -1,0 +1,158 @@
+/*
+ * command_classify.c - voxels for later or for a device's flash.
+ */
+#include "commands.h"
+#include "error.h"
+#include "flash_array.h"
+#include "picture.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Voxels are classified and written slice by slice, in about so many bytes. */
+#define STRIP_BYTES (4u << 20)
+#define FACTOR_MOST 64
+
+static uint64_t bytes_after(const struct model *model, const uint8_t factor[3])
+{
+    uint64_t bytes = storage_voxel_bytes(model->storage);
+    for (unsigned a = 0; a < 3; a++) {
+        bytes *= (model->classifier.scalars.size[a] + factor[a] - 1u) / factor[a];
+    }
+    return bytes + model->palette_bytes;
+}
+
+/* Factors that make voxels of about that edge, in the smallest spacing. */
+static void factors_of_edge(uint8_t factor[3], const struct model *model, unsigned edge)
+{
+    for (unsigned a = 0; a < 3; a++) {
+        double spacing = model->classifier.scalars.spacing[a] / (double)QV_ONE_Q16;
+        factor[a] = (uint8_t)fmax(1, round(edge / spacing));
+    }
+}
+
+static void fit(uint8_t factor[3], const struct model *model, uint64_t most)
+{
+    for (unsigned edge = 1; edge <= FACTOR_MOST; edge++) {
+        factors_of_edge(factor, model, edge);
+        if (bytes_after(model, factor) <= most) {
+            return;
+        }
+    }
+    data_error(model->scan.file, "--fit", "not even factors of %d fit %llu bytes", FACTOR_MOST,
+               (unsigned long long)most);
+}
+
+static void reduce(struct model *model, const struct settings *settings)
+{
+    uint8_t factor[3];
+    if (settings->fit != 0) {
+        fit(factor, model, settings->fit);
+    } else {
+        for (unsigned a = 0; a < 3; a++) {
+            factor[a] = (uint8_t)(settings->reduce[a] != 0 ? settings->reduce[a] : 1);
+        }
+    }
+    if (factor[0] > 1 || factor[1] > 1 || factor[2] > 1) {
+        model_reduce(model, factor);
+    }
+}
+
+/* Where the strips go: a C array, or a raw file in the byte order asked for. */
+struct target {
+    output out;
+    bool is_array;
+    bool swap;
+    struct flash_array array;
+};
+
+static void write_strip(struct target *target, void *voxels, size_t bytes)
+{
+    if (target->is_array) {
+        flash_array_voxels(&target->array, voxels, bytes);
+        return;
+    }
+    if (target->swap) {
+        swap_words(voxels, bytes, 2);
+    }
+    output_write(&target->out, voxels, bytes);
+}
+
+static void write_voxels(struct target *target, const struct model *model)
+{
+    const qv_scalars *scalars = &model->classifier.scalars;
+    size_t slice =
+        (size_t)storage_voxel_bytes(model->storage) * scalars->size[0] * scalars->size[1];
+    uint32_t slices = slice < STRIP_BYTES ? (uint32_t)(STRIP_BYTES / slice) : 1;
+    uint8_t *strip = allocate((uint64_t)slice * slices, model->scan.file, "voxels");
+    for (uint32_t z = 0; z < scalars->size[2]; z += slices) {
+        uint32_t end = z + slices < scalars->size[2] ? z + slices : scalars->size[2];
+        model_classify(strip, slice * slices, model, z, end);
+        write_strip(target, strip, slice * (end - z));
+    }
+    free(strip);
+}
+
+/* OUT.palette, beside the voxels. */
+static void write_palette(output *out, const struct model *model, const struct settings *settings)
+{
+    size_t bytes = strlen(settings->output) + sizeof ".palette";
+    char *name = allocate(bytes, settings->output, NULL);
+    bool swap = settings->big_endian != machine_is_big_endian();
+    snprintf(name, bytes, "%s.palette", settings->output);
+    output_open(out, name);
+    if (swap && model->palette_bytes == QV_PALETTE16_BYTES) {
+        swap_words(model->palette, model->palette_bytes, 2);
+    }
+    output_write(out, model->palette, model->palette_bytes);
+}
+
+static void check_settings(const struct settings *settings)
+{
+    if (settings->output == NULL) {
+        usage_error("--output", "is missing");
+    }
+    if (settings->fit != 0 && settings->reduce[0] != 0) {
+        usage_error("--fit", "chooses the factors that --reduce gives");
+    }
+}
+
+static void export(struct model *model, const struct settings *settings)
+{
+    struct target target;
+    output palette;
+    bool beside;
+    memset(&target, 0, sizeof target);
+    target.is_array = has_ending(settings->output, ".c") || has_ending(settings->output, ".h");
+    target.swap =
+        model->storage == QV_STORAGE_RGBA16 && settings->big_endian != machine_is_big_endian();
+    output_open(&target.out, settings->output);
+    if (target.is_array) {
+        flash_array_begin(&target.array, &target.out, model, settings);
+    }
+    write_voxels(&target, model);
+    if (target.is_array) {
+        flash_array_end(&target.array);
+    }
+    beside = !target.is_array && model->palette != NULL && !is_standard_stream(settings->output);
+    if (beside) {
+        write_palette(&palette, model, settings);
+        output_commit(&palette);
+    }
+    output_commit(&target.out);
+}
+
+int command_classify(const struct settings *settings)
+{
+    struct model model;
+    check_settings(settings);
+    model_read(&model, settings, settings->operands[0], QV_STORAGE_INDEXED8);
+    if (model.classified_before) {
+        data_error(model.scan.file, "type", "is classified already");
+    }
+    reduce(&model, settings);
+    export(&model, settings);
+    return EXIT_SUCCESS;
+}

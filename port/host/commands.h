@@ -1,0 +1,14 @@
+/*
+ * commands.h - what the command can do. Each returns the exit status.
+ */
+#ifndef QVOL_HOST_COMMANDS_H
+#define QVOL_HOST_COMMANDS_H
+
+#include "options.h"
+
+int command_render(const struct settings *settings);
+int command_info(const struct settings *settings);
+int command_compare(const struct settings *settings);
+int command_classify(const struct settings *settings);
+
+#endif

@@ -1,0 +1,89 @@
+/*
+ * error.c - one line on standard error, then the end.
+ */
+#include "error.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define LINE_BYTES 1024
+
+static const char *command = "qvol";
+
+void error_set_command(const char *name)
+{
+    command = name;
+}
+
+/* Names of files and texts of libraries may hold line breaks or control
+   characters: one error stays one printable line. */
+static void print_line(char *line)
+{
+    for (char *c = line; *c != '\0'; c++) {
+        if ((unsigned char)*c < ' ' || *c == 127) {
+            *c = '?';
+        }
+    }
+    fprintf(stderr, "%s\n", line);
+}
+
+static void append(char *line, const char *text)
+{
+    size_t used = strlen(line);
+    snprintf(line + used, LINE_BYTES - used, "%s", text);
+}
+
+static void append_formatted(char *line, const char *format, va_list arguments)
+{
+    size_t used = strlen(line);
+    vsnprintf(line + used, LINE_BYTES - used, format, arguments);
+}
+
+void usage_error(const char *option, const char *format, ...)
+{
+    char line[LINE_BYTES];
+    va_list arguments;
+    snprintf(line, sizeof line, "%s: %s: ", command, option);
+    va_start(arguments, format);
+    append_formatted(line, format, arguments);
+    va_end(arguments);
+    append(line, " (see ");
+    append(line, command);
+    append(line, " --help)");
+    print_line(line);
+    exit(EXIT_USAGE);
+}
+
+void data_error(const char *file, const char *field, const char *format, ...)
+{
+    char line[LINE_BYTES];
+    va_list arguments;
+    snprintf(line, sizeof line, "%s: %s: ", command, file);
+    if (field != NULL) {
+        append(line, field);
+        append(line, ": ");
+    }
+    va_start(arguments, format);
+    append_formatted(line, format, arguments);
+    va_end(arguments);
+    print_line(line);
+    exit(EXIT_DATA);
+}
+
+void system_error(const char *file, const char *field)
+{
+    data_error(file, field, "%s", strerror(errno));
+}
+
+void *allocate(unsigned long long bytes, const char *file, const char *field)
+{
+    void *memory = bytes <= SIZE_MAX ? calloc(bytes > 0 ? (size_t)bytes : 1, 1) : NULL;
+    if (memory == NULL) {
+        data_error(file, field, "no memory for %llu bytes", bytes);
+    }
+    return memory;
+}

@@ -1,0 +1,32 @@
+/*
+ * flash_array.h - a classified volume as C source for a device's flash.
+ */
+#ifndef QVOL_HOST_FLASH_ARRAY_H
+#define QVOL_HOST_FLASH_ARRAY_H
+
+#include "model.h"
+#include "output.h"
+
+#define FLASH_NAME_BYTES 64
+
+struct flash_array {
+    output *out;
+    const struct model *model;
+    char name[FLASH_NAME_BYTES];
+    bool header_file;    /* .h: static constants; .c: with external linkage */
+    unsigned word_bytes; /* 1 or 2: so the array is aligned as the storage needs */
+    unsigned column;
+};
+
+/* Comment, #include, start of the voxels. The name comes from the file's if
+   settings give none. */
+void flash_array_begin(struct flash_array *array, output *out, const struct model *model,
+                       const struct settings *settings);
+
+/* Voxels in the machine's byte order, as they follow each other. */
+void flash_array_voxels(struct flash_array *array, const void *voxels, size_t bytes);
+
+/* Palette and descriptor. */
+void flash_array_end(struct flash_array *array);
+
+#endif

@@ -1,0 +1,114 @@
+/*
+ * main.c - finds the command, reads its options, runs it.
+ */
+#include "commands.h"
+#include "error.h"
+#include "transfer_text.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define INPUT_DETAILS                                                                              \
+    "IN is NIfTI (.nii, .nii.gz), NRRD (raw or gzip, attached or detached) or raw data; - is\n"    \
+    "standard input. Raw data need --dims and --type, or a name like "                             \
+    "foot_256x256x256_uint8.raw.\n"                                                                \
+    "NIfTI and NRRD are turned to right, anterior, superior along the nearest axes.\n"             \
+    "Other than 8- and 16-bit values, and scaled ones, become 16 bits over the window.\n"
+
+#define TRANSFER_DETAILS                                                                           \
+    "A transfer function is text, `#` starts a comment; one control point a line:\n"               \
+    "    index red green blue opacity      0..255, 0..255 each, 0..1 for one sample step\n"        \
+    "    shading ambient diffuse specular exponent gradient     for --shade, optional\n"           \
+    "Opacities hold for one step: they are not corrected when --step changes.\n"
+
+static const struct command commands[] = {
+    {"qvol render", "IN -o OUT [options]", "Renders a volume to a picture or to a display's bytes.",
+     INPUT_DETAILS
+     "\n" TRANSFER_DETAILS
+     "\nOUT ends in .png or .pam (what the display would show; alpha is stored straight), or in\n"
+     ".raw or .bin (the display's own bytes; colour is associated with alpha). - writes PAM.\n"
+     "Formats: rgb888 (default), rgba8888 (default over a transparent background), bgra8888,\n"
+     "rgb565le, rgb565be, l8, grey4, mono-horizontal, mono-vertical.\n"
+     "At azimuth 0 and elevation 0 the viewer looks along +y, z is up: at the back of a head.\n",
+     GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_PICTURE | GROUP_OUTPUT | GROUP_REPORT |
+         GROUP_THREADS | GROUP_COMMON,
+     1, command_render},
+    {"qvol info", "IN [options]", "Tells size, type, spacing, orientation, range and histogram.",
+     INPUT_DETAILS, GROUP_INPUT | GROUP_REPORT | GROUP_COMMON, 1, command_info},
+    {"qvol compare", "A B [options]",
+     "Compares two pictures (PNG or PAM). Exit status 0: equal, 1: different.",
+     "With -o the picture of absolute differences times the gain is written.\n",
+     GROUP_COMPARE | GROUP_OUTPUT | GROUP_REPORT | GROUP_COMMON, 2, command_compare},
+    {"qvol classify", "IN -o OUT [options]", "Classifies a volume for later, or for a device.",
+     INPUT_DETAILS
+     "\n" TRANSFER_DETAILS "\nOUT ends in .c or .h (constant arrays and a qv_volume for flash), "
+                           "else it gets the voxels,\n"
+     "x fastest, and OUT.palette the palette of indexed8. --azimuth, --elevation and --roll place\n"
+     "the light of --shade.\n",
+     GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_EXPORT | GROUP_OUTPUT | GROUP_THREADS |
+         GROUP_COMMON,
+     1, command_classify},
+};
+
+#define COMMANDS ((int)(sizeof commands / sizeof commands[0]))
+/* Past "qvol ". */
+#define NAME_OFFSET 5
+
+static void print_overview(void)
+{
+    printf("Usage: qvol COMMAND ...\nAn integer-only volume renderer.\n\n");
+    for (int i = 0; i < COMMANDS; i++) {
+        printf("  %-10s %s\n", commands[i].name + NAME_OFFSET, commands[i].summary);
+    }
+    printf("\nTransfer functions for --tf:\n");
+    for (const struct preset *p = presets; p->name != NULL; p++) {
+        printf("  %-10s %s\n", p->name, p->summary);
+    }
+    printf("\nqvol COMMAND --help tells the options. Exit status: 0, 1 (data) or 2 (usage).\n");
+    finish_output();
+}
+
+static void set_defaults(struct settings *settings)
+{
+    memset(settings, 0, sizeof *settings);
+    settings->sampling = SAMPLING_WEIGHTED;
+    settings->size[0] = settings->size[1] = 512;
+    settings->light[0] = -35;
+    settings->light[1] = 35;
+    settings->zoom = 1;
+    settings->step = 1;
+    settings->termination = -1;
+    settings->background[3] = 255;
+    settings->gain = 16;
+}
+
+static const struct command *find_command(const char *name)
+{
+    for (int i = 0; i < COMMANDS; i++) {
+        if (strcmp(commands[i].name + NAME_OFFSET, name) == 0) {
+            return &commands[i];
+        }
+    }
+    usage_error(name, "unknown command, use render, info, compare or classify");
+}
+
+int main(int argc, char **argv)
+{
+    struct settings settings;
+    const struct command *command;
+    if (argc < 2) {
+        usage_error("command", "none given, use render, info, compare or classify");
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
+        print_overview();
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        print_version();
+    }
+    command = find_command(argv[1]);
+    error_set_command(command->name);
+    set_defaults(&settings);
+    options_read(&settings, command, argc - 1, argv + 1);
+    return command->run(&settings);
+}

@@ -1,0 +1,52 @@
+/*
+ * model.h - a volume that can be rendered or exported: scalars with their
+ * transfer table, or voxels that were classified before.
+ */
+#ifndef QVOL_HOST_MODEL_H
+#define QVOL_HOST_MODEL_H
+
+#include "scalar_view.h"
+#include "transfer_text.h"
+
+struct model {
+    struct scan scan;
+    bool classified_before; /* then no scalars, no transfer function */
+    struct scalar_view view;
+    struct transfer transfer;
+    qv_transfer table;
+    qv_shading shading; /* with directions, where the settings ask for shading */
+    bool shaded;
+    qv_classifier classifier;
+    qv_storage storage;
+    void *palette; /* of indexed storage; else null */
+    uint32_t palette_bytes;
+    double world_unit; /* in the file's unit */
+};
+
+/* Reads the input and all that its classification needs. */
+void model_read(struct model *model, const struct settings *settings, const char *name,
+                qv_storage default_storage);
+
+/* Replaces the scalars by means over boxes. */
+void model_reduce(struct model *model, const uint8_t factor[3]);
+
+/* Classifies everything, or takes the voxels of the file, and fills the
+   descriptor. The voxels live as long as the program. */
+void model_volume(qv_volume *volume, struct model *model, const struct settings *settings);
+
+/* Classifies slices first <= z < end into tightly packed voxels. */
+void model_classify(void *voxels, size_t bytes, const struct model *model, uint32_t first,
+                    uint32_t end);
+
+unsigned storage_voxel_bytes(qv_storage storage);
+
+/* "rgba8", "indexed8", ... ; the palette's width is told elsewhere. */
+const char *storage_name(qv_storage storage);
+
+/* The camera's directions that --azimuth, --elevation and --roll make. */
+void settings_rotation(int32_t rotation[3][3], const struct settings *settings);
+
+/* Ends the command if the library refuses what was made from the input. */
+void check_status(qv_status status, const struct model *model, const char *field);
+
+#endif

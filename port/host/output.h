@@ -1,0 +1,34 @@
+/*
+ * output.h - files that appear whole or not at all.
+ *
+ * An output is written to a temporary file beside its target and renamed when
+ * everything has succeeded. "-" is standard output; a target that exists and is
+ * no regular file (a device, a pipe) is written directly.
+ */
+#ifndef QVOL_HOST_OUTPUT_H
+#define QVOL_HOST_OUTPUT_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+typedef struct output {
+    const char *target; /* as the user named it */
+    char *temporary;    /* null: written directly */
+    FILE *stream;
+} output;
+
+void output_open(output *out, const char *target);
+
+/* Writes bytes; a failure is a data error that names the target. */
+void output_write(output *out, const void *bytes, size_t count);
+
+/* Flushes, checks and closes; gives the file its name. */
+void output_commit(output *out);
+
+/* A name that is removed at exit, on a signal too: an unfinished output or the
+   copy of standard input. Takes over the string. */
+void remove_at_exit(char *path);
+
+bool is_standard_stream(const char *name);
+
+#endif

@@ -1,0 +1,19 @@
+/*
+ * report.h - the resolved scene as JSON: every number that determines the
+ * picture, so that anyone can compute it again, and what rendering took.
+ */
+#ifndef QVOL_HOST_REPORT_H
+#define QVOL_HOST_REPORT_H
+
+#include "frame.h"
+#include "json.h"
+#include "scene.h"
+
+/* The file: name, format, size, type, spacing, orientation. */
+void report_input(struct json *json, const struct scan *scan);
+
+void report_scene(output *out, const struct model *model, const qv_scene *scene,
+                  const struct view *view, const struct frame *frame,
+                  const struct settings *settings);
+
+#endif

@@ -1,0 +1,87 @@
+/*
+ * scene.c - the library's scene from settings.
+ */
+#include "scene.h"
+#include "error.h"
+
+#include <math.h>
+
+#define STORAGES  4
+#define FULL_TURN 4294967296.0
+
+/* By order, mode and storage. */
+static const qv_sampling *const samplings[2][3][STORAGES] = {
+    {{&qv_nearest_rgba8, &qv_nearest_rgba16, &qv_nearest_indexed8, &qv_nearest_indexed8_16},
+     {&qv_separate_rgba8, &qv_separate_rgba16, &qv_separate_indexed8, &qv_separate_indexed8_16},
+     {&qv_weighted_rgba8, &qv_weighted_rgba16, &qv_weighted_indexed8, &qv_weighted_indexed8_16}},
+    {{&qv_nearest_rgba8_back_to_front, &qv_nearest_rgba16_back_to_front,
+      &qv_nearest_indexed8_back_to_front, &qv_nearest_indexed8_16_back_to_front},
+     {&qv_separate_rgba8_back_to_front, &qv_separate_rgba16_back_to_front,
+      &qv_separate_indexed8_back_to_front, &qv_separate_indexed8_16_back_to_front},
+     {&qv_weighted_rgba8_back_to_front, &qv_weighted_rgba16_back_to_front,
+      &qv_weighted_indexed8_back_to_front, &qv_weighted_indexed8_16_back_to_front}},
+};
+
+static double world_diagonal(const qv_volume *volume)
+{
+    double sum = 0;
+    for (unsigned a = 0; a < 3; a++) {
+        double side = volume->size[a] * (double)volume->spacing[a] / QV_ONE_Q16;
+        sum += side * side;
+    }
+    return sqrt(sum);
+}
+
+/* At zoom 1 the smaller side of the frame spans the diagonal of the box. */
+static uint32_t pitch(const qv_volume *volume, const struct settings *settings)
+{
+    double side = fmin(settings->size[0], settings->size[1]);
+    double units = world_diagonal(volume) / (side * settings->zoom);
+    return (uint32_t)lround(fmin(units * QV_ONE_Q16, INT32_MAX));
+}
+
+static void set_view(struct view *view, const qv_volume *volume, const struct settings *settings)
+{
+    settings_rotation(view->view.rotation, settings);
+    view->view.pitch = pitch(volume, settings);
+    view->view.step = (uint32_t)lround(settings->step * QV_ONE_Q16);
+    view->view.width = (uint16_t)settings->size[0];
+    view->view.height = (uint16_t)settings->size[1];
+    view->field_of_view = (qv_angle)llround(settings->perspective / 360 * FULL_TURN);
+}
+
+static void set_camera(qv_scene *scene, const struct view *view)
+{
+    qv_status status =
+        view->field_of_view == 0
+            ? qv_orthographic(&scene->camera, &scene->volume, &view->view)
+            : qv_perspective(&scene->camera, &scene->volume, &view->view, view->field_of_view);
+    if (status < 0) {
+        usage_error("view", "%s; change --zoom, --size, --step or --perspective",
+                    qv_status_text(status));
+    }
+}
+
+void scene_create(qv_scene *scene, struct view *view, const struct model *model,
+                  const struct settings *settings)
+{
+    qv_context context;
+    qv_status status;
+    set_view(view, &scene->volume, settings);
+    set_camera(scene, view);
+    scene->sampling =
+        samplings[settings->back_to_front][settings->sampling][model->storage - QV_STORAGE_RGBA8];
+    scene->phase = (uint16_t)lround(fmin(settings->phase * 65536, 65535));
+    scene->termination = settings->termination < 0
+                             ? QV_TERMINATION_DEFAULT
+                             : (uint16_t)lround(settings->termination * 65535);
+    for (unsigned c = 0; c < 4; c++) {
+        scene->background[c] = settings->background[c];
+    }
+    status = qv_init(&context, scene);
+    if (status == QV_ERROR_CAMERA || status == QV_ERROR_STEP) {
+        usage_error("view", "%s; change --zoom, --size, --step or --perspective",
+                    qv_status_text(status));
+    }
+    check_status(status, model, "scene");
+}

@@ -1,0 +1,19 @@
+/*
+ * scene.h - the library's scene from settings: angles, zoom and lengths become
+ * the integers that determine the picture.
+ */
+#ifndef QVOL_HOST_SCENE_H
+#define QVOL_HOST_SCENE_H
+
+#include "model.h"
+
+struct view {
+    qv_view view;
+    qv_angle field_of_view; /* 0: orthographic */
+};
+
+/* Fills everything of the scene but its volume, which is there already. */
+void scene_create(qv_scene *scene, struct view *view, const struct model *model,
+                  const struct settings *settings);
+
+#endif

@@ -1,0 +1,346 @@
+/*
+ * settings.c - the options: their names, their help, and how each is read.
+ */
+#include "settings.h"
+#include "error.h"
+#include "pixel_format.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#define THREADS_MOST 256
+/* A full turn many times over; beyond, degrees lose the digits that matter. */
+#define DEGREES_MOST 1e6
+#define REDUCE_MOST  64
+
+const choice storage_names[] = {
+    {"rgba8", QV_STORAGE_RGBA8},
+    {"rgba16", QV_STORAGE_RGBA16},
+    {"indexed8", QV_STORAGE_INDEXED8},
+    {NULL, 0},
+};
+
+const choice sampling_names[] = {
+    {"nearest", SAMPLING_NEAREST},
+    {"separate", SAMPLING_SEPARATE},
+    {"weighted", SAMPLING_WEIGHTED},
+    {NULL, 0},
+};
+
+static const choice order_names[] = {{"front-to-back", 0}, {"back-to-front", 1}, {NULL, 0}};
+static const choice endian_names[] = {{"little", 0}, {"big", 1}, {NULL, 0}};
+static const choice container_names[] = {
+    {"png", CONTAINER_PNG}, {"pam", CONTAINER_PAM}, {"raw", CONTAINER_RAW}, {NULL, 0}};
+
+static double decimal_between(const char *option, const char *value, double least, double most)
+{
+    double number;
+    if (!read_decimal(value, &number) || number < least || number > most) {
+        usage_error(option, "'%s' is not a number from %g to %g", value, least, most);
+    }
+    return number;
+}
+
+static uint64_t integer_between(const char *option, const char *value, uint64_t least,
+                                uint64_t most)
+{
+    uint64_t number;
+    if (!read_unsigned(value, most, &number) || number < least) {
+        usage_error(option, "'%s' is not a whole number from %llu to %llu", value,
+                    (unsigned long long)least, (unsigned long long)most);
+    }
+    return number;
+}
+
+static void set_dims(struct settings *settings, const char *option, const char *value)
+{
+    if (!read_sizes(value, 3, QV_AXIS_MAX, settings->raw.size)) {
+        usage_error(option, "'%s' is not XxYxZ, each 1 to %d", value, QV_AXIS_MAX);
+    }
+}
+
+static void set_type(struct settings *settings, const char *option, const char *value)
+{
+    settings->raw.type = choose(option, value, raw_type_names);
+}
+
+static void set_skip(struct settings *settings, const char *option, const char *value)
+{
+    settings->raw.skip = integer_between(option, value, 0, INT64_MAX / 2);
+}
+
+static void set_spacing(struct settings *settings, const char *option, const char *value)
+{
+    double *spacing = settings->raw.spacing;
+    if (!read_decimals(value, 'x', 3, spacing) || spacing[0] <= 0 || spacing[1] <= 0 ||
+        spacing[2] <= 0) {
+        usage_error(option, "'%s' is not XxYxZ, each above 0", value);
+    }
+}
+
+static void set_palette(struct settings *settings, const char *option, const char *value)
+{
+    (void)option;
+    settings->palette = value;
+}
+
+static void set_endian(struct settings *settings, const char *option, const char *value)
+{
+    settings->big_endian = choose(option, value, endian_names) != 0;
+}
+
+static void set_storage(struct settings *settings, const char *option, const char *value)
+{
+    settings->storage = choose(option, value, storage_names);
+}
+
+static void set_palette_bits(struct settings *settings, const char *option, const char *value)
+{
+    settings->palette_bits = (unsigned)integer_between(option, value, 8, 16);
+    if (settings->palette_bits != 8 && settings->palette_bits != 16) {
+        usage_error(option, "'%s' is neither 8 nor 16", value);
+    }
+}
+
+static void set_transfer(struct settings *settings, const char *option, const char *value)
+{
+    (void)option;
+    settings->transfer = value;
+}
+
+static void set_window(struct settings *settings, const char *option, const char *value)
+{
+    double *window = settings->window;
+    if (!read_decimals(value, ':', 2, window) || !(window[0] < window[1])) {
+        usage_error(option, "'%s' is not LOW:HIGH with LOW below HIGH", value);
+    }
+    settings->window_given = true;
+}
+
+static void set_shade(struct settings *settings, const char *option, const char *value)
+{
+    (void)option;
+    (void)value;
+    settings->shade = true;
+}
+
+static void set_light(struct settings *settings, const char *option, const char *value)
+{
+    if (!read_decimals(value, ',', 2, settings->light)) {
+        usage_error(option, "'%s' is not RIGHT,UP in degrees", value);
+    }
+}
+
+static void set_sampling(struct settings *settings, const char *option, const char *value)
+{
+    settings->sampling = choose(option, value, sampling_names);
+}
+
+static void set_order(struct settings *settings, const char *option, const char *value)
+{
+    settings->back_to_front = choose(option, value, order_names) != 0;
+}
+
+static void set_size(struct settings *settings, const char *option, const char *value)
+{
+    if (!read_sizes(value, 2, QV_PIXEL_MAX, settings->size)) {
+        usage_error(option, "'%s' is not WxH, each 1 to %d", value, QV_PIXEL_MAX);
+    }
+}
+
+static void set_azimuth(struct settings *settings, const char *option, const char *value)
+{
+    settings->angles[0] = decimal_between(option, value, -DEGREES_MOST, DEGREES_MOST);
+}
+
+static void set_elevation(struct settings *settings, const char *option, const char *value)
+{
+    settings->angles[1] = decimal_between(option, value, -DEGREES_MOST, DEGREES_MOST);
+}
+
+static void set_roll(struct settings *settings, const char *option, const char *value)
+{
+    settings->angles[2] = decimal_between(option, value, -DEGREES_MOST, DEGREES_MOST);
+}
+
+static void set_zoom(struct settings *settings, const char *option, const char *value)
+{
+    settings->zoom = decimal_between(option, value, 1.0 / 1024, 1024);
+}
+
+static void set_perspective(struct settings *settings, const char *option, const char *value)
+{
+    settings->perspective = decimal_between(option, value, 1, 150);
+}
+
+static void set_step(struct settings *settings, const char *option, const char *value)
+{
+    settings->step = decimal_between(option, value, 1.0 / 16, 16);
+}
+
+static void set_phase(struct settings *settings, const char *option, const char *value)
+{
+    settings->phase = decimal_between(option, value, 0, 65535.0 / 65536);
+}
+
+static void set_termination(struct settings *settings, const char *option, const char *value)
+{
+    settings->termination = decimal_between(option, value, 0, 1);
+}
+
+static void set_background(struct settings *settings, const char *option, const char *value)
+{
+    settings->background[3] = 255;
+    if (strcmp(value, "transparent") == 0) {
+        memset(settings->background, 0, sizeof settings->background);
+    } else if (!read_colour(value, settings->background)) {
+        usage_error(option, "'%s' is neither RRGGBB nor transparent", value);
+    }
+}
+
+static void set_format(struct settings *settings, const char *option, const char *value)
+{
+    pixel_format_find(option, value);
+    settings->format = value;
+}
+
+static void set_container(struct settings *settings, const char *option, const char *value)
+{
+    settings->container = choose(option, value, container_names);
+}
+
+static void set_strip(struct settings *settings, const char *option, const char *value)
+{
+    settings->strip = (uint32_t)integer_between(option, value, 1, QV_PIXEL_MAX);
+}
+
+static void set_reduce(struct settings *settings, const char *option, const char *value)
+{
+    uint32_t *reduce = settings->reduce;
+    if (read_sizes(value, 1, REDUCE_MOST, reduce)) {
+        reduce[1] = reduce[2] = reduce[0];
+    } else if (!read_sizes(value, 3, REDUCE_MOST, reduce)) {
+        usage_error(option, "'%s' is neither F nor FXxFYxFZ, each 1 to %d", value, REDUCE_MOST);
+    }
+}
+
+static void set_fit(struct settings *settings, const char *option, const char *value)
+{
+    settings->fit = integer_between(option, value, 1, INT64_MAX);
+}
+
+static void set_name(struct settings *settings, const char *option, const char *value)
+{
+    if (value[0] == '\0' ||
+        strspn(value, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                      "0123456789_") != strlen(value) ||
+        (value[0] >= '0' && value[0] <= '9')) {
+        usage_error(option, "'%s' is not a name in C", value);
+    }
+    settings->name = value;
+}
+
+static void set_tolerance(struct settings *settings, const char *option, const char *value)
+{
+    settings->tolerance = decimal_between(option, value, 0, 255);
+}
+
+static void set_gain(struct settings *settings, const char *option, const char *value)
+{
+    settings->gain = decimal_between(option, value, 0, 255);
+}
+
+static void set_threads(struct settings *settings, const char *option, const char *value)
+{
+    settings->threads = (unsigned)integer_between(option, value, 1, THREADS_MOST);
+}
+
+static void set_output(struct settings *settings, const char *option, const char *value)
+{
+    (void)option;
+    settings->output = value;
+}
+
+static void set_json(struct settings *settings, const char *option, const char *value)
+{
+    (void)option;
+    settings->json = value != NULL ? value : "-";
+}
+
+static void set_quiet(struct settings *settings, const char *option, const char *value)
+{
+    (void)option;
+    (void)value;
+    settings->quiet = true;
+}
+
+const struct option_spec option_specs[] = {
+    {"dims", 0, "XxYxZ", "voxels of raw data, x fastest", set_dims, GROUP_INPUT},
+    {"type", 0, "TYPE", "u8 s8 u16le s16be f32le ... or rgba8 rgba16le rgba16be indexed8", set_type,
+     GROUP_INPUT},
+    {"skip", 0, "BYTES", "before raw data (0)", set_skip, GROUP_INPUT},
+    {"spacing", 0, "XxYxZ", "between voxels; replaces the file's", set_spacing, GROUP_INPUT},
+    {"palette", 0, "FILE", "of indexed8 data: 1024 or 2048 bytes of RGBA", set_palette,
+     GROUP_INPUT},
+    {"endian", 0, "little|big", "of a 16-bit palette, and of 16-bit raw output (little)",
+     set_endian, GROUP_INPUT},
+
+    {"storage", 0, "KIND", "rgba8, rgba16 or indexed8", set_storage, GROUP_CLASSIFY},
+    {"palette-bits", 0, "8|16", "width of the palette of indexed8 (8)", set_palette_bits,
+     GROUP_CLASSIFY},
+    {"tf", 0, "NAME|FILE", "transfer function: a preset or a text file", set_transfer,
+     GROUP_CLASSIFY},
+    {"window", 0, "LOW:HIGH", "values of entries 0 and 255 (0:255, or the data's range)",
+     set_window, GROUP_CLASSIFY},
+    {"shade", 0, NULL, "shade voxels by their gradient, not with indexed8", set_shade,
+     GROUP_CLASSIFY},
+    {"light", 0, "RIGHT,UP", "degrees from the viewer to the light (-35,35)", set_light,
+     GROUP_CLASSIFY},
+
+    {"sampling", 0, "MODE", "nearest, separate or weighted (weighted)", set_sampling,
+     GROUP_PICTURE},
+    {"order", 0, "ORDER", "front-to-back or back-to-front (front-to-back)", set_order,
+     GROUP_PICTURE},
+    {"size", 's', "WxH", "of the frame in pixels (512x512)", set_size, GROUP_PICTURE},
+    {"azimuth", 0, "DEG", "moves the viewer from -y towards +x (0)", set_azimuth, GROUP_VIEW},
+    {"elevation", 0, "DEG", "lifts the viewer towards +z (0)", set_elevation, GROUP_VIEW},
+    {"roll", 0, "DEG", "turns the camera clockwise (0)", set_roll, GROUP_VIEW},
+    {"zoom", 0, "FACTOR", "at 1 the whole box fits at any angle (1)", set_zoom, GROUP_PICTURE},
+    {"perspective", 0, "DEG", "field of view from top to bottom, 1 to 150", set_perspective,
+     GROUP_PICTURE},
+    {"step", 0, "VOXELS", "between samples, of the smallest spacing (1)", set_step, GROUP_PICTURE},
+    {"phase", 0, "SHARE", "of a step: shifts the samples, below 1 (0)", set_phase, GROUP_PICTURE},
+    {"background", 0, "COLOUR", "RRGGBB or transparent (000000)", set_background, GROUP_PICTURE},
+    {"termination", 0, "SHARE", "of light below which a ray ends (64/65535)", set_termination,
+     GROUP_PICTURE},
+    {"format", 0, "FORMAT", "pixels as a display takes them, see below", set_format, GROUP_PICTURE},
+    {"as", 0, "KIND", "png, pam or raw (the device's bytes), whatever FILE ends in", set_container,
+     GROUP_PICTURE},
+    {"strip", 0, "ROWS", "rendered at a time; changes no byte (16)", set_strip, GROUP_PICTURE},
+
+    {"reduce", 0, "F|FXxFYxFZ", "means over boxes of that many voxels", set_reduce, GROUP_EXPORT},
+    {"fit", 0, "BYTES", "smallest factors with which voxels and palette fit", set_fit,
+     GROUP_EXPORT},
+    {"name", 0, "NAME", "of the C array (from FILE)", set_name, GROUP_EXPORT},
+
+    {"tolerance", 0, "LEVELS", "differences that count as equal (0)", set_tolerance, GROUP_COMPARE},
+    {"gain", 0, "FACTOR", "of the difference picture (16)", set_gain, GROUP_COMPARE},
+
+    {"output", 'o', "FILE", "what to write; - is standard output", set_output, GROUP_OUTPUT},
+    {"json", 0, "[FILE]", "report as JSON (standard output)", set_json, GROUP_REPORT},
+    {"threads", 0, "N", "1 to 256; changes no byte (all processors)", set_threads, GROUP_THREADS},
+    {"quiet", 'q', NULL, "no progress, no summary", set_quiet, GROUP_COMMON},
+    {NULL, 0, NULL, NULL, NULL, 0},
+};
+
+qv_storage settings_storage(const struct settings *settings, qv_storage by_default)
+{
+    qv_storage storage = settings->storage != 0 ? (qv_storage)settings->storage : by_default;
+    if (storage == QV_STORAGE_INDEXED8) {
+        return settings->palette_bits == 16 ? QV_STORAGE_INDEXED8_16 : storage;
+    }
+    if (settings->palette_bits != 0) {
+        usage_error("--palette-bits", "only indexed8 has a palette");
+    }
+    return storage;
+}

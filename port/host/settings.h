@@ -1,0 +1,87 @@
+/*
+ * settings.h - what the command line says, checked as far as it can be without
+ * the data.
+ */
+#ifndef QVOL_HOST_SETTINGS_H
+#define QVOL_HOST_SETTINGS_H
+
+#include "input.h"
+
+enum sampling_mode { SAMPLING_NEAREST, SAMPLING_SEPARATE, SAMPLING_WEIGHTED };
+enum container { CONTAINER_BY_ENDING, CONTAINER_PNG, CONTAINER_PAM, CONTAINER_RAW };
+
+struct settings {
+    const char *operands[2];
+    int operand_count;
+    const char *output; /* null: not given */
+    const char *json;   /* null: no report */
+    bool quiet;
+    unsigned threads;
+
+    raw_options raw;
+    const char *palette;
+    bool big_endian; /* of 16-bit data written, and of a 16-bit palette read */
+
+    int storage; /* a qv_storage without the palette's width; 0: by default */
+    unsigned palette_bits;
+    const char *transfer; /* null: the default */
+    bool window_given;
+    double window[2];
+    bool shade;
+    double light[2]; /* degrees from the viewer: to the right, up */
+
+    int sampling; /* enum sampling_mode */
+    bool back_to_front;
+    uint32_t size[2];
+    double angles[3]; /* degrees: azimuth, elevation, roll */
+    double zoom;
+    double perspective; /* degrees; 0: orthographic */
+    double step;
+    double phase;
+    double termination; /* negative: the library's default */
+    uint8_t background[4];
+    const char *format; /* null: rgb888, or rgba8888 over a transparent background */
+    int container;      /* enum container */
+    uint32_t strip;     /* rows rendered at a time; 0: by default */
+
+    uint32_t reduce[3]; /* 0: not given */
+    uint64_t fit;       /* bytes; 0: not given */
+    const char *name;   /* of the C array; null: from the output */
+    double tolerance;
+    double gain;
+};
+
+/* Groups of options; each command takes some. */
+enum option_group {
+    GROUP_INPUT = 1,
+    GROUP_CLASSIFY = 2,
+    GROUP_VIEW = 4,
+    GROUP_PICTURE = 8,
+    GROUP_EXPORT = 16,
+    GROUP_COMPARE = 32,
+    GROUP_REPORT = 64,
+    GROUP_THREADS = 128,
+    GROUP_OUTPUT = 256,
+    GROUP_COMMON = 512
+};
+
+struct option_spec {
+    const char *name;
+    char letter;          /* 0: long form only */
+    const char *argument; /* null: none; in brackets: optional */
+    const char *help;
+    void (*set)(struct settings *settings, const char *option, const char *value);
+    int group;
+};
+
+/* Ends with a null name. */
+extern const struct option_spec option_specs[];
+
+/* Names of the values, for reports as well. */
+extern const choice storage_names[];
+extern const choice sampling_names[];
+
+/* The storage that --storage and --palette-bits ask for together. */
+qv_storage settings_storage(const struct settings *settings, qv_storage by_default);
+
+#endif
