@@ -110,6 +110,9 @@ void ref_render_ideal(ref_pixel *pixel, const qv_scene *scene, const ref_view *v
 /* A channel as one of the levels 0 .. highest, to nearest with ties upwards. */
 uint32_t ref_level(double channel, uint32_t highest);
 
+/* The same with the ordered dither of the display formats, at an absolute pixel position. */
+uint32_t ref_dithered_level(double channel, uint32_t highest, int32_t x, int32_t y);
+
 /* Grey of a colour, as qvol.h weighs the channels. */
 double ref_grey(const double rgba[4]);
 
