@@ -1,0 +1,83 @@
+#!/bin/sh
+# What the objects of core and fixedpoint ask for and hold: nothing undefined but
+# memcpy, memset, memmove and the compiler's 32-bit integer helpers (no floating
+# point, no 64-bit division); no variable that lasts; no recursion.
+set -eu
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+number=0
+failed=0
+
+# Helpers of Arm's run-time ABI (IHI 0043, section 4.2) for integers: products and
+# shifts of 64 bits, comparison, division of 32 bits; and GCC's jump tables.
+HELPERS='__aeabi_(lmul|llsl|llsr|lasr|lcmp|ulcmp|idiv|idivmod|uidiv|uidivmod)|__gnu_thumb1_case_(sqi|uqi|shi|uhi|si)'
+ALLOWED="^(memcpy|memset|memmove|$HELPERS)\$"
+
+result() { # result NAME: passes when $work/bad is empty
+    number=$((number + 1))
+    if [ -s "$work/bad" ]; then
+        failed=$((failed + 1))
+        echo "not ok $number - $1"
+        sed 's/^/# /' "$work/bad"
+    else
+        echo "ok $number - $1"
+    fi
+}
+
+compile() { # compile PREFIX COMPILER OPTION...: objects to $work/objects
+    rm -rf "$work/objects"
+    mkdir "$work/objects"
+    for file in core/*.c fixedpoint/*.c; do
+        "$@" -std=c99 -ffreestanding -fno-pic -ffunction-sections -Icore -Ifixedpoint -c "$file" \
+            -o "$work/objects/$(basename "$file" .c).o" 2>>"$work/messages" ||
+            echo "$file does not compile" >>"$work/broken"
+    done
+}
+
+check_symbols() { # check_symbols NAME NM
+    "$2" -u "$work"/objects/*.o | awk '$1 == "U" { print $2 }' | sort -u >"$work/wanted"
+    "$2" --defined-only -g "$work"/objects/*.o | awk 'NF == 3 { print $3 }' | sort -u >"$work/own"
+    comm -23 "$work/wanted" "$work/own" | grep -Ev "$ALLOWED" >"$work/bad" || :
+    cat "$work/broken" >>"$work/bad" 2>/dev/null || :
+    result "$1: nothing undefined but memory functions and integer helpers"
+    "$2" -A "$work"/objects/*.o | awk '$(NF - 1) ~ /^[BbCcDdGgSs]$/' >"$work/bad"
+    cat "$work/broken" >>"$work/bad" 2>/dev/null || :
+    result "$1: no variable in .data or .bss"
+}
+
+# Calls as pairs for tsort, which reports a loop. A call through a pointer may
+# reach every function whose address stands in a constant. Optimised, so that a
+# constant argument which names a function is a plain call; tail calls stay calls.
+check_recursion() {
+    compile gcc -O2 -fno-optimize-sibling-calls -fcallgraph-info
+    cat "$work"/objects/*.ci 2>/dev/null |
+        sed -n 's/^edge: { sourcename: "\([^"]*\)" targetname: "\([^"]*\)".*/\1 \2/p' >"$work/calls"
+    readelf -rW "$work"/objects/*.o | awk '
+        /^Relocation section/ { in_data = /\.rela?\.(ro)?data/ }
+        in_data && match($0, /\.text\.[A-Za-z0-9_]+/) { print substr($0, RSTART + 6, RLENGTH - 6) }
+        in_data && $5 ~ /^qv_/ { print $5 }' | sort -u >"$work/targets"
+    awk 'NR == FNR { target[$1]; next }
+         { print
+           for (side = 1; side <= 2; side++) {
+               name = $side
+               sub(/^.*:/, "", name)
+               if (name in target)
+                   print "__indirect_call", $side
+           } }' "$work/targets" "$work/calls" >"$work/pairs"
+    awk '$1 == $2 { print $1, "calls itself" }' "$work/pairs" >"$work/bad"
+    tsort "$work/pairs" >/dev/null 2>>"$work/bad" || :
+    [ -s "$work/calls" ] && [ -s "$work/targets" ] || echo "no call was found" >>"$work/bad"
+    result "no recursion, not even through a pointer"
+}
+
+for optimise in -Os -O3; do
+    compile gcc $optimise
+    check_symbols "this machine $optimise" nm
+    for core in cortex-m0 cortex-m3; do
+        compile arm-none-eabi-gcc -mcpu=$core -mthumb $optimise
+        check_symbols "$core $optimise" arm-none-eabi-nm
+    done
+done
+check_recursion
+echo "1..$number"
+[ "$failed" -eq 0 ]
