@@ -1,0 +1,14 @@
+#!/bin/sh
+# Speeds: instructions a sample on the emulated devices, samples a second on this
+# machine beside a plain float renderer of the same picture. Markdown tables.
+set -eu
+: "${CC:=cc}" "${BUILD:=build}"
+cd "$(dirname "$0")/../.."
+mkdir -p "$BUILD/bench"
+$CC -std=c99 -D_POSIX_C_SOURCE=200809L -O2 -Icore tests/bench/bench_host.c \
+    tests/bench/float_renderer.c "$BUILD/host/libqvol.a" -lm -o "$BUILD/bench/host"
+tests/bench/device.sh
+echo
+echo "Host ($($CC --version | head -n 1), -O2, one thread; 256x256 frame of 128x128x128 voxels):"
+echo
+"$BUILD/bench/host"

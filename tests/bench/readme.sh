@@ -1,0 +1,21 @@
+#!/bin/sh
+# Writes the figures of README.md between their markers: sizes and speeds.
+set -eu
+cd "$(dirname "$0")/../.."
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# replace NAME: what stands between <!-- NAME --> and <!-- /NAME --> by the file NAME.
+replace() {
+    awk -v name="$1" -v file="$work/$1" '
+        $0 == "<!-- /" name " -->" { inside = 0 }
+        !inside { print }
+        $0 == "<!-- " name " -->" { inside = 1; while ((getline line < file) > 0) print line }
+    ' README.md >"$work/README.md"
+    cp "$work/README.md" README.md
+}
+
+tests/static/size.sh --readme >"$work/sizes"
+tests/bench/bench.sh >"$work/speeds"
+replace sizes
+replace speeds
