@@ -46,32 +46,28 @@ static inline void check_fail(const char *file, int line, const char *format, ..
 
 static inline void check_condition(int holds, const char *text, const char *file, int line)
 {
-    if (!holds) {
+    if (!holds)
         check_fail(file, line, "%s does not hold", text);
-    }
 }
 
 /* Numbers compare as uintmax_t, so that values of either sign meet their like. */
 static inline void check_equality(uintmax_t a, uintmax_t b, int wanted, const char *file, int line)
 {
-    if ((a == b) != wanted) {
+    if ((a == b) != wanted)
         check_fail(file, line, "%jd %s %jd", (intmax_t)a, wanted ? "is not" : "is", (intmax_t)b);
-    }
 }
 
 static inline void check_range(uintmax_t value, uintmax_t low, uintmax_t high, const char *file,
                                int line)
 {
-    if (value < low || value > high) {
+    if (value < low || value > high)
         check_fail(file, line, "%ju is not within %ju .. %ju", value, low, high);
-    }
 }
 
 static inline void check_string(const char *a, const char *b, const char *file, int line)
 {
-    if (strcmp(a, b) != 0) {
+    if (strcmp(a, b) != 0)
         check_fail(file, line, "\"%s\" is not \"%s\"", a, b);
-    }
 }
 
 static inline void check_memory(const void *a, const void *b, size_t size, const char *file,
@@ -81,10 +77,9 @@ static inline void check_memory(const void *a, const void *b, size_t size, const
     const unsigned char *right = (const unsigned char *)b;
 
     for (size_t i = 0; i < size; i++) {
-        if (left[i] != right[i]) {
+        if (left[i] != right[i])
             check_fail(file, line, "byte %zu of %zu: 0x%02x is not 0x%02x", i, size, left[i],
                        right[i]);
-        }
     }
 }
 
@@ -93,9 +88,8 @@ static inline int check_run(const struct CMUnitTest *test)
 {
     void *state = NULL;
 
-    if (setjmp(check_exit) != 0) {
+    if (setjmp(check_exit) != 0)
         return 0;
-    }
     test->test_func(&state);
     return 1;
 }
