@@ -169,7 +169,7 @@ static void test_view(const storage_kind *kind, const qv_volume *volume, const a
 {
     qv_scene scene;
     ref_view real;
-    agreement found = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+    agreement found = {{0}, {0}};
     char name[64];
     memset(&scene, 0, sizeof scene);
     scene.volume = *volume;

@@ -11,9 +11,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#define SCENES    200
-#define SHARE     8 /* one scene in this many also runs the other modes */
-#define MOST_EDGE 64
+#define SCENES        200
+#define SHARE         4   /* one scene in this many also runs the other modes */
+#define MOST_EDGE     64  /* pixels of a frame */
+#define LEAST_COVERED 400 /* channels: a hundred pixels of a frame of some thousand */
 
 static const double least_equal = 0.99;
 
@@ -30,6 +31,8 @@ static const qv_sampling *const back_to_front[4] = {
     &qv_weighted_indexed8_16_back_to_front,
 };
 
+static const qv_storage storages[4] = {QV_STORAGE_RGBA8, QV_STORAGE_RGBA16, QV_STORAGE_INDEXED8,
+                                       QV_STORAGE_INDEXED8_16};
 static const char *const storage_names[4] = {"rgba8", "rgba16", "indexed8", "indexed8_16"};
 
 typedef uint8_t picture[MOST_EDGE][MOST_EDGE][4];
@@ -64,37 +67,55 @@ static void compare(tally *into, picture pixels, const seeded_scene *made, ref_m
     }
 }
 
-/* One scene in one storage; returns whether it meets the bounds. */
-static bool scene_agrees(tally *total, uint32_t seed, int storage, const qv_sampling *sampling,
-                         ref_mode mode)
+/* Renders one scene in one storage and tallies it against the reference. */
+static tally run_scene(uint32_t seed, int storage, const qv_sampling *sampling,
+                       uint16_t termination, ref_mode mode, camera_kind camera)
 {
-    picture pixels;
+    static picture pixels;
     seeded_scene made;
-    tally scene = {0, 0, 0, 0};
-    assert_int_equal(seeded_make(&made, seed, (qv_storage)(storage + 1)), QV_OK);
+    tally scene = {0};
+    assert_int_equal(seeded_make(&made, seed, storages[storage]), QV_OK);
     made.scene.sampling = sampling;
+    made.scene.termination = termination;
     render(pixels, &made);
-    compare(&scene, pixels, &made, mode, STORED);
-    tally_add(total, &scene);
-    const bool agrees = scene.worst <= 1 && tally_share(&scene) >= least_equal;
-    if (!agrees) {
-        printf("# seed %" PRIu32 ", %s, %s: ", seed, storage_names[storage], made.filling);
-        tally_print("disagrees", &scene);
-    }
+    compare(&scene, pixels, &made, mode, camera);
     seeded_free(&made);
-    return agrees;
+    return scene;
 }
 
+static void report(uint32_t seed, int storage, const tally *scene)
+{
+    char name[64];
+    (void)snprintf(name, sizeof name, "seed %" PRIu32 ", %s", seed, storage_names[storage]);
+    tally_print(name, scene);
+}
+
+/* ---- Stored camera: arithmetic after the position -------------------------- */
+
+/* Each scene and storage on its own must meet the bounds. */
 static void test_scenes(const qv_sampling *const samplings[4], ref_mode mode, uint32_t every)
 {
     int disagree = 0;
     for (int storage = 0; storage < 4; storage++) {
-        tally total = {0, 0, 0, 0};
+        tally total = {0};
+        uint32_t covered = 0, scenes = 0;
+        double least = 1;
         for (uint32_t seed = 1; seed <= SCENES; seed += every) {
-            disagree += !scene_agrees(&total, seed, storage, samplings[storage], mode);
+            const tally scene = run_scene(seed, storage, samplings[storage], 0, mode, STORED);
+            tally_add(&total, &scene);
+            least = fmin(least, tally_share(&scene));
+            covered += scene.channels >= LEAST_COVERED;
+            scenes++;
+            if (scene.worst > 1 || tally_share(&scene) < least_equal) {
+                report(seed, storage, &scene);
+                disagree++;
+            }
         }
         tally_print(storage_names[storage], &total);
-        assert_true(total.channels > 500 * SCENES / every);
+        printf("#   %" PRIu32 " of %" PRIu32 " scenes cover a good part of the frame; "
+               "worst scene %.4f %% equal\n",
+               covered, scenes, 100 * least);
+        assert_true(covered * 10 >= scenes * 9);
     }
     assert_int_equal(disagree, 0);
 }
@@ -123,50 +144,56 @@ static void test_nearest(void **state)
     test_scenes(front_to_back[REF_NEAREST], REF_NEAREST, SHARE);
 }
 
-/* The camera with real angles and points that nothing rounds. */
+/* ---- Ideal camera: positions as well ----------------------------------------- */
+
+/*
+ * Rounding moves a point by at most 1/512 voxel on each axis. Where neighbouring
+ * voxels differ by the full range, that changes a sample by up to 3 * 255/512 =
+ * 1.5 levels, and a ray along an axis repeats the change at every sample. So a
+ * few channels of high-contrast scenes may be 2 levels off; the others are at
+ * most 1 off.
+ */
 static void test_ideal_camera(void **state)
 {
-    tally total = {0, 0, 0, 0};
+    const double most_beyond = 1e-5;
+    tally total = {0};
     (void)state;
-    for (uint32_t seed = 1; seed <= SCENES; seed++) {
-        picture pixels;
-        seeded_scene made;
-        tally scene = {0, 0, 0, 0};
-        const int storage = (int)(seed % 4);
-        assert_int_equal(seeded_make(&made, seed, (qv_storage)(storage + 1)), QV_OK);
-        made.scene.sampling = front_to_back[REF_WEIGHTED][storage];
-        render(pixels, &made);
-        compare(&scene, pixels, &made, REF_WEIGHTED, IDEAL);
-        tally_add(&total, &scene);
-        if (scene.worst > 1) {
-            printf("# seed %" PRIu32 ", %s, %s: ", seed, storage_names[storage], made.filling);
-            tally_print("off the ideal camera", &scene);
+    for (int storage = 0; storage < 4; storage++) {
+        const qv_sampling *sampling = front_to_back[REF_WEIGHTED][storage];
+        for (uint32_t seed = 1; seed <= SCENES; seed++) {
+            const tally scene = run_scene(seed, storage, sampling, 0, REF_WEIGHTED, IDEAL);
+            tally_add(&total, &scene);
+            if (scene.worst > 1) {
+                report(seed, storage, &scene);
+            }
         }
-        seeded_free(&made);
     }
     tally_print("ideal camera", &total);
-    assert_true(total.worst <= 1);
+    printf("#   channels more than 1 level off: %" PRIu64 "\n", total.beyond);
+    assert_true(total.worst <= 2);
+    assert_true((double)total.beyond <= most_beyond * (double)total.channels);
 }
 
-/* What ending rays at the default threshold adds to half a level of rounding. */
+/* ---- Early termination ---------------------------------------------------------- */
+
+/* What the default threshold adds to the 1/2 level of rounding. */
 static void test_default_termination(void **state)
 {
-    const double documented = 0.25;
-    tally total = {0, 0, 0, 0};
+    const double documented = 0.25, arithmetic = 0.02;
+    tally total = {0};
     (void)state;
-    for (uint32_t seed = 1; seed <= SCENES; seed++) {
-        picture pixels;
-        seeded_scene made;
-        const int storage = (int)(seed % 4);
-        assert_int_equal(seeded_make(&made, seed, (qv_storage)(storage + 1)), QV_OK);
-        made.scene.sampling = front_to_back[REF_WEIGHTED][storage];
-        made.scene.termination = QV_TERMINATION_DEFAULT;
-        render(pixels, &made);
-        compare(&total, pixels, &made, REF_WEIGHTED, STORED);
-        seeded_free(&made);
+    for (int storage = 0; storage < 4; storage++) {
+        const qv_sampling *sampling = front_to_back[REF_WEIGHTED][storage];
+        for (uint32_t seed = 1; seed <= SCENES; seed++) {
+            const tally scene =
+                run_scene(seed, storage, sampling, QV_TERMINATION_DEFAULT, REF_WEIGHTED, STORED);
+            tally_add(&total, &scene);
+        }
     }
     tally_print("default termination", &total);
-    assert_true(total.farthest <= 0.5 + documented + 0.02);
+    printf("#   it adds at most %.4f levels\n", total.farthest - 0.5);
+    assert_true(total.worst <= 1);
+    assert_true(total.farthest <= 0.5 + documented + arithmetic);
 }
 
 int main(void)

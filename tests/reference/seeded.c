@@ -40,7 +40,7 @@ static void draw_view(qv_view *view, ref_view *real, const qv_volume *volume, dr
     const uint32_t longest = 40, shortest = 24; /* pixels of an edge of the frame */
     view->width = (uint16_t)(shortest + draw_below(random, longest - shortest));
     view->height = (uint16_t)(shortest + draw_below(random, longest - shortest));
-    view->pitch = to_q16(diagonal(volume) / longest * draw_real(random, 0.4, 1.1));
+    view->pitch = to_q16(diagonal(volume) / longest * draw_real(random, 0.3, 0.9));
     view->step = to_q16(draw_scale(random, 1.0 / 16, 4));
     qv_rotation(view->rotation, azimuth, elevation, roll);
     ref_rotation(real->rotation, azimuth, elevation, roll);
@@ -78,11 +78,12 @@ static void draw_background(uint8_t background[4], draws *random)
 
 static void draw_size(qv_volume *volume, draws *random)
 {
-    const bool cubic = draw_once_in(random, 3);
-    for (int axis = 0; axis < 3; axis++) {
-        const uint32_t size = 1 + draw_below(random, SEEDED_LONGEST_AXIS);
+    const bool cubic = draw_once_in(random, 3), flat = draw_once_in(random, 5);
+    const uint32_t thin = draw_below(random, 3);
+    for (uint32_t axis = 0; axis < 3; axis++) {
+        const uint32_t size = 2 + draw_below(random, SEEDED_LONGEST_AXIS - 1);
         const double spacing = draw_scale(random, 0.4, 2.5);
-        volume->size[axis] = (uint16_t)(draw_once_in(random, 8) ? 1 : size);
+        volume->size[axis] = (uint16_t)(flat && axis == thin ? 1 : size);
         volume->spacing[axis] = cubic ? QV_ONE_Q16 : to_q16(spacing);
     }
 }
@@ -140,7 +141,7 @@ static void draw_filling(filling *drawn, draws *random)
     drawn->kind = kinds[draw_below(random, 8)];
     drawn->thinning = draw_below(random, 7);
     for (int channel = 0; channel < 4; channel++) {
-        drawn->constant[channel] = (uint16_t)draw_bits(random);
+        drawn->constant[channel] = (uint16_t)(0x4000u | draw_bits(random)); /* never empty */
         for (int axis = 0; axis < 3; axis++) {
             drawn->waves[channel].turns[axis] = draw_real(random, -0.1, 0.1);
         }

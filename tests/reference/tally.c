@@ -13,6 +13,7 @@ void tally_pixel(tally *into, const uint8_t bytes[4], const ref_pixel *pixel)
         const double distance = fabs(bytes[channel] - pixel->rgba[channel] * 255);
         into->channels++;
         into->equal += off == 0;
+        into->beyond += off > 1;
         into->worst = off > into->worst ? off : into->worst;
         into->farthest = fmax(into->farthest, distance);
     }
@@ -22,6 +23,7 @@ void tally_add(tally *into, const tally *other)
 {
     into->channels += other->channels;
     into->equal += other->equal;
+    into->beyond += other->beyond;
     into->worst = other->worst > into->worst ? other->worst : into->worst;
     into->farthest = fmax(into->farthest, other->farthest);
 }

@@ -9,6 +9,7 @@
 typedef struct tally {
     uint64_t channels; /* compared */
     uint64_t equal;    /* to the reference rounded to 8 bits */
+    uint64_t beyond;   /* more than one level off */
     uint32_t worst;    /* levels off after rounding */
     double farthest;   /* levels off from the reference before rounding */
 } tally;
