@@ -39,7 +39,7 @@ static uint32_t table_index(const pass *p, int32_t s)
 static int32_t difference(const qv_scalars *scalars, qv_address at, unsigned axis,
                           uint16_t position)
 {
-    qv_offset stride = scalars->stride[axis];
+    qv_offset stride = (qv_offset)scalars->stride[axis];
     qv_address before = position > 0 ? qv_at(at, -stride) : at;
     qv_address after = position + 1u < scalars->size[axis] ? qv_at(at, stride) : at;
     return qv_scalar(after, scalars->type) - qv_scalar(before, scalars->type);
