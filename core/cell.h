@@ -27,7 +27,7 @@ QV_INLINE void qv_cell_locate(qv_cell *cell, const qv_volume *volume, const qv_r
         uint64_t place = (uint64_t)ray->place[axis];
         uint32_t index = (uint32_t)(place >> 32);
         uint32_t last = volume->size[axis] - 1u;
-        qv_offset stride = volume->stride[axis];
+        qv_offset stride = (qv_offset)volume->stride[axis];
         cell->fraction[axis] = fx_fraction_of((uint32_t)place >> 24);
         cell->next[axis] = stride;
         if (index >= last) {
