@@ -4,15 +4,25 @@
 # It needs from the Makefile:
 #     BUILD      top of everything built (build)
 #     OUT        what is built for the target ($(BUILD)/$(TARGET))
-#     LIBRARY    the library's archive, with a rule to make it ($(OUT)/libqvol.a)
+#     LIBRARY    the library's archive, with a rule to make it
+#     QVOL       the command (for the volume in the head's flash)
 #     WARNINGS   the warning options of every C file
 #     HOST_CC    the compiler of this machine (for the emulator's plugin)
 # It offers:
 #     firmware            every firmware of the target
 #     $(OUT)/NAME.elf     one of them, with its link map beside it
+#     $(OUT)/oled.json    what the host rendered for the OLED, with its checksum
 #     $(COUNT_PLUGIN)     the emulator's counting plugin
+# Variables for the head on the OLED:
+#     SCAN                the scan to show
+#     SCAN_OPTIONS        how qvol classifies it
+#     OLED_VIEW           how qvol looks at it
 
-FIRMWARE := golden bench size_orthographic size_perspective
+SCAN ?= /usr/share/mricron/templates/ch2.nii.gz
+SCAN_OPTIONS ?= --tf head --reduce 3x4x3
+OLED_VIEW ?= --azimuth 30 --elevation 20 --zoom 1.4
+
+FIRMWARE := golden bench size_orthographic size_perspective $(TARGET_FIRMWARE)
 COUNT_PLUGIN := $(BUILD)/emulator/count.so
 
 # Sources of each firmware beside the port and the library.
@@ -21,31 +31,76 @@ FIRMWARE_size_perspective := $(addprefix port/cortex-m/,firmware_size.c firmware
 FIRMWARE_golden := tests/golden/golden_device.c tests/golden/scenes.c tests/golden/volume.c \
 	tests/golden/render.c
 FIRMWARE_bench := tests/bench/bench_device.c
+FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
 
 DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \
-	-Icore -Iport -Iport/cortex-m
+	-Icore -Iport -Iport/cortex-m -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
+
+# Objects of sources in the tree, and of generated ones, which lie in $(OUT).
+objects = $(patsubst %.c,$(OUT)/%.o,$(1:$(OUT)/%=%))
 
 .PHONY: firmware
 firmware: $(FIRMWARE:%=$(OUT)/%.elf)
 
 $(OUT)/port/%.o: port/%.c
 	@mkdir -p $(@D)
-	$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
+	@echo "  CC  $<"
+	@$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
 
 $(OUT)/tests/%.o: tests/%.c
 	@mkdir -p $(@D)
-	$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
+	@echo "  CC  $<"
+	@$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
+
+$(OUT)/%.o: $(OUT)/%.c
+	@echo "  CC  $<"
+	@$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
 
 define link_firmware
-$(OUT)/$(1).elf: $(FIRMWARE_$(1):%.c=$(OUT)/%.o) $(DEVICE_OBJECTS) $(LIBRARY)
-	$(TARGET_CC) $(TARGET_LDFLAGS) -Wl,-Map,$$(@:.elf=.map) $$(filter %.o,$$^) $(LIBRARY) \
+$(OUT)/$(1).elf: $(call objects,$(FIRMWARE_$(1))) $(DEVICE_OBJECTS) $(LIBRARY)
+	@echo "  LD  $$@"
+	@$(TARGET_CC) $(TARGET_LDFLAGS) -Wl,-Map,$$(@:.elf=.map) $$(filter %.o,$$^) $(LIBRARY) \
 		$(TARGET_LDLIBS) -o $$@
--include $(FIRMWARE_$(1):%.c=$(OUT)/%.d)
+-include $(patsubst %.o,%.d,$(call objects,$(FIRMWARE_$(1))))
 endef
 $(foreach name,$(FIRMWARE),$(eval $(call link_firmware,$(name))))
 -include $(DEVICE_OBJECTS:.o=.d)
 
+# ---- The head in flash ----------------------------------------------------------
+
+$(QVOL):
+	@$(MAKE) --no-print-directory TARGET=host $@
+
+$(OUT)/head.c: $(SCAN) $(QVOL)
+	@mkdir -p $(@D)
+	@echo "  GEN $@"
+	@$(QVOL) classify $(SCAN) --quiet --storage indexed8 $(SCAN_OPTIONS) --name head -o $@
+
+# The same voxels for the host, which learns their size from the C file's comment.
+$(OUT)/head.raw: $(SCAN) $(QVOL)
+	@mkdir -p $(@D)
+	@echo "  GEN $@"
+	@$(QVOL) classify $(SCAN) --quiet --storage indexed8 $(SCAN_OPTIONS) -o $@
+
+HEAD_SIZE = $$(sed -n -e 's/ x /x/g' -e 's/^ \* size *\([0-9x]*\) voxels/--dims \1/p' \
+	-e 's/^ \* spacing *\([0-9.x]*\)/--spacing \1/p' $(OUT)/head.c)
+
+# The report of the picture holds its view and its checksum.
+$(OUT)/oled.json: $(OUT)/head.raw $(OUT)/head.c
+	@echo "  GEN $@"
+	@$(QVOL) render $< --quiet --type indexed8 --palette $<.palette $(HEAD_SIZE) \
+		--size 128x64 --format grey4 $(OLED_VIEW) --json=$@ -o $(@:.json=.raw)
+
+$(OUT)/head_view.h: $(OUT)/oled.json
+	@echo "  GEN $@"
+	@toolchain/view_header $< >$@
+
+$(OUT)/port/cortex-m/firmware_head.o: $(OUT)/head_view.h
+
+# ---- The emulator's plugin --------------------------------------------------------
+
 $(COUNT_PLUGIN): tests/emulator/count.c
 	@mkdir -p $(@D)
-	$(HOST_CC) -std=c99 $(WARNINGS) -O2 -fPIC -shared $< -o $@
+	@echo "  CC  $<"
+	@$(HOST_CC) -std=c99 $(WARNINGS) -O2 -fPIC -shared $< -o $@
