@@ -4,6 +4,7 @@
 #
 #     tests/static/size.sh            checks the limits, in TAP
 #     tests/static/size.sh --table    prints every function's share
+#     tests/static/size.sh --readme   prints the figures as a Markdown table
 set -eu
 build=${BUILD:-build}
 out=$build/cortex-m0
@@ -48,6 +49,18 @@ table() {
     done
 }
 
+readme() {
+    echo "Bytes on a Cortex-M0 ($(arm-none-eabi-gcc --version | head -n 1), -Os), indexed8, weighted,"
+    echo "RGB565 alone; compiler's helpers included:"
+    echo
+    echo "| camera | code and tables | .data, .bss | context | stack below qv_render |"
+    echo "|---|---|---|---|---|"
+    for camera in orthographic perspective; do
+        echo "| $camera | $(figure $camera code) | $(figure $camera data), $(figure $camera bss) |" \
+            "$(figure $camera context) | $(figure $camera stack_render) |"
+    done
+}
+
 limits() {
     check orthographic code 4096
     check perspective code 6144
@@ -66,9 +79,9 @@ make -s TARGET=cortex-m0 BUILD="$build" OPTIMISE=-Os "$plugin" \
     "$out/size_orthographic.elf" "$out/size_perspective.elf" >&2
 measure orthographic
 measure perspective
-if [ "${1:-}" = --table ]; then
-    table
-else
-    limits
-fi
+case ${1:-} in
+--table) table ;;
+--readme) readme ;;
+*) limits ;;
+esac
 [ "$failed" -eq 0 ]
