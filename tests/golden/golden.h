@@ -6,9 +6,9 @@
 #ifndef GOLDEN_H
 #define GOLDEN_H
 
-#include <stdint.h>
+#include "scenes.h"
 
-static const uint32_t golden_checksums[] = {
+static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0xcec35df4u, /* 0 nearest, rgba8, front to back, perspective, rgba8888 */
     0xc1ba48deu, /* 1 nearest, rgba16, front to back, orthographic, bgra8888 */
     0x419f7dc8u, /* 2 nearest, indexed8, front to back, orthographic, rgb888 */

@@ -145,8 +145,8 @@ static int update(void)
 {
     printf("/*\n * golden.h - CRC-32 of each golden scene: written by `make golden-update`.\n"
            " *\n * A new value here is a new picture, and a new version of tests/SPEC.md.\n */\n"
-           "#ifndef GOLDEN_H\n#define GOLDEN_H\n\n#include <stdint.h>\n\n"
-           "static const uint32_t golden_checksums[] = {\n");
+           "#ifndef GOLDEN_H\n#define GOLDEN_H\n\n#include \"scenes.h\"\n\n"
+           "static const uint32_t golden_checksums[GOLDEN_SCENES] = {\n");
     for (uint32_t number = 0; number < GOLDEN_SCENES; number++) {
         golden_scene golden;
         uint32_t checksum;
