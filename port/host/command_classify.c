@@ -89,8 +89,9 @@ static void write_voxels(struct target *target, const struct model *model)
     uint8_t *strip = allocate((uint64_t)slice * slices, model->scan.file, "voxels");
     for (uint32_t z = 0; z < scalars->size[2]; z += slices) {
         uint32_t end = z + slices < scalars->size[2] ? z + slices : scalars->size[2];
-        model_classify(strip, slice * slices, model, z, end);
-        write_strip(target, strip, slice * (end - z));
+        size_t bytes = slice * (end - z);
+        model_classify(strip, bytes, model, z, end);
+        write_strip(target, strip, bytes);
     }
     free(strip);
 }

@@ -43,7 +43,7 @@ static const struct command commands[] = {
     {"qvol classify", "IN -o OUT [options]", "Classifies a volume for later, or for a device.",
      INPUT_DETAILS
      "\n" TRANSFER_DETAILS "\nOUT ends in .c or .h (constant arrays and a qv_volume for flash), "
-                           "else it gets the voxels,\n"
+     "else it gets the voxels,\n"
      "x fastest, and OUT.palette the palette of indexed8. --azimuth, --elevation and --roll place\n"
      "the light of --shade.\n",
      GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_EXPORT | GROUP_OUTPUT | GROUP_THREADS |
@@ -74,8 +74,8 @@ static void set_defaults(struct settings *settings)
     memset(settings, 0, sizeof *settings);
     settings->sampling = SAMPLING_WEIGHTED;
     settings->size[0] = settings->size[1] = 512;
-    settings->light[0] = -35;
-    settings->light[1] = 35;
+    settings->light[0] = -40;
+    settings->light[1] = 40;
     settings->zoom = 1;
     settings->step = 1;
     settings->termination = -1;

@@ -1,9 +1,8 @@
 /*
- * model.c - from settings and a file to a classified volume.
+ * model.c - reads a volume and all that its classification needs.
  */
 #include "model.h"
 #include "error.h"
-#include "parallel.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -109,16 +108,45 @@ static void read_scalars(struct model *model, const struct settings *settings,
     make_palette(model);
 }
 
+/* The mask is classified by itself, its gradients too: at the edge of an organ
+   that stands alone they are the organ's surface. */
+static void read_mask(struct model *model, const struct settings *settings)
+{
+    struct settings own = *settings;
+    struct model *mask = allocate(sizeof *mask, settings->mask, NULL);
+    own.mask = NULL;
+    own.transfer = settings->mask_transfer;
+    if (own.transfer == NULL) {
+        usage_error("--mask", "needs --mask-tf");
+    }
+    if (storage_voxel_bytes(model->storage) == 1) {
+        usage_error("--mask", "two transfer functions need --storage rgba8 or rgba16");
+    }
+    model_read(mask, &own, settings->mask, model->storage);
+    if (mask->classified_before || mask->view.converted) {
+        data_error(settings->mask, "type", "a mask has whole numbers of 8 or 16 bits");
+    }
+    if (memcmp(mask->view.scalars.size, model->view.scalars.size,
+               sizeof model->view.scalars.size) != 0) {
+        data_error(settings->mask, "size", "differs from that of %s", model->scan.file);
+    }
+    model->mask = mask;
+}
+
 static void refuse_classification(const struct settings *settings)
 {
-    const char *option = settings->transfer != NULL    ? "--tf"
-                         : settings->window_given      ? "--window"
-                         : settings->shade             ? "--shade"
-                         : settings->storage != 0      ? "--storage"
-                         : settings->palette_bits != 0 ? "--palette-bits"
-                                                       : NULL;
-    if (option != NULL) {
-        usage_error(option, "the input is classified already");
+    const struct {
+        const char *option;
+        bool given;
+    } refused[] = {
+        {"--tf", settings->transfer != NULL},  {"--mask", settings->mask != NULL},
+        {"--window", settings->window_given},  {"--shade", settings->shade},
+        {"--storage", settings->storage != 0}, {"--palette-bits", settings->palette_bits != 0},
+    };
+    for (unsigned i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        if (refused[i].given) {
+            usage_error(refused[i].option, "the input is classified already");
+        }
     }
 }
 
@@ -170,100 +198,8 @@ void model_read(struct model *model, const struct settings *settings, const char
         read_classified(model, settings);
     } else {
         read_scalars(model, settings, default_storage);
+        if (settings->mask != NULL) {
+            read_mask(model, settings);
+        }
     }
-}
-
-void model_reduce(struct model *model, const uint8_t factor[3])
-{
-    qv_scalars *scalars = &model->classifier.scalars;
-    int32_t bytes = scalars->type == QV_SCALAR_U8 ? 1 : 2;
-    qv_scalars reduced = *scalars;
-    uint64_t total = (uint64_t)bytes;
-    double unit;
-    void *values;
-    for (unsigned a = 0; a < 3; a++) {
-        reduced.size[a] = (uint16_t)((scalars->size[a] + factor[a] - 1) / factor[a]);
-        reduced.spacing[a] = scalars->spacing[a] * factor[a]; /* at most 2^20 * 2^6 */
-        reduced.stride[a] = (int32_t)total;                   /* at most 2 * 2^24 */
-        total *= reduced.size[a];
-    }
-    values = allocate(total, model->scan.file, "data");
-    check_status(qv_reduce(values, total, scalars, factor, 0, reduced.size[2]), model, "reduction");
-    unit = fmin(reduced.spacing[0], fmin(reduced.spacing[1], reduced.spacing[2]));
-    for (unsigned a = 0; a < 3; a++) {
-        reduced.spacing[a] = (uint32_t)lround(reduced.spacing[a] / unit * QV_ONE_Q16);
-    }
-    model->world_unit *= unit / QV_ONE_Q16;
-    reduced.values = values;
-    reduced.values_bytes = total;
-    *scalars = reduced;
-}
-
-void model_classify(void *voxels, size_t bytes, const struct model *model, uint32_t first,
-                    uint32_t end)
-{
-    const qv_scalars *scalars = &model->classifier.scalars;
-    qv_block block = {{0, 0, (uint16_t)first}, {scalars->size[0], scalars->size[1], (uint16_t)end}};
-    check_status(qv_classify(voxels, bytes, model->storage, &model->classifier, &block), model,
-                 "classification");
-}
-
-struct slices {
-    const struct model *model;
-    uint8_t *voxels;
-    size_t slice_bytes;
-};
-
-static void classify_slice(void *context, uint32_t z)
-{
-    const struct slices *slices = context;
-    model_classify(slices->voxels + z * slices->slice_bytes, slices->slice_bytes, slices->model, z,
-                   z + 1);
-}
-
-static void classify_volume(qv_volume *volume, const struct model *model,
-                            const struct settings *settings)
-{
-    const qv_scalars *scalars = &model->classifier.scalars;
-    unsigned bytes = storage_voxel_bytes(model->storage);
-    struct slices slices = {model, NULL, (size_t)bytes * scalars->size[0] * scalars->size[1]};
-    struct parallel work = {classify_slice, &slices, scalars->size[2], settings->threads,
-                            progress_label(settings->quiet, "classifying")};
-    volume->voxels_bytes = (uint64_t)slices.slice_bytes * scalars->size[2];
-    slices.voxels = allocate(volume->voxels_bytes, model->scan.file, "voxels");
-    parallel_run(&work);
-    volume->voxels = slices.voxels;
-    memcpy(volume->size, scalars->size, sizeof volume->size);
-    memcpy(volume->spacing, scalars->spacing, sizeof volume->spacing);
-    volume->stride[0] = (int32_t)bytes;
-    volume->stride[1] = volume->stride[0] * scalars->size[0]; /* at most 2^15 */
-    volume->stride[2] = volume->stride[1] * scalars->size[1]; /* at most 2^27 */
-}
-
-static void take_volume(qv_volume *volume, struct model *model)
-{
-    struct layout layout;
-    scan_layout(&layout, &model->scan, storage_voxel_bytes(model->storage));
-    volume->voxels = (const unsigned char *)model->scan.values + layout.first;
-    volume->voxels_bytes = model->scan.bytes;
-    memcpy(volume->size, layout.size, sizeof volume->size);
-    memcpy(volume->spacing, layout.spacing, sizeof volume->spacing);
-    memcpy(volume->stride, layout.stride, sizeof volume->stride);
-    model->world_unit = layout.world_unit;
-}
-
-void model_volume(qv_volume *volume, struct model *model, const struct settings *settings)
-{
-    memset(volume, 0, sizeof *volume);
-    volume->storage = (uint8_t)model->storage;
-    volume->palette = model->palette;
-    volume->palette_bytes = model->palette_bytes;
-    if (model->classified_before) {
-        take_volume(volume, model);
-    } else {
-        classify_volume(volume, model, settings);
-        free(model->scan.values);
-        model->scan.values = NULL;
-    }
-    check_status(qv_volume_check(volume), model, "volume");
 }

@@ -20,7 +20,8 @@ struct model {
     qv_storage storage;
     void *palette; /* of indexed storage; else null */
     uint32_t palette_bytes;
-    double world_unit; /* in the file's unit */
+    double world_unit;  /* in the file's unit */
+    struct model *mask; /* stands in where its scalars are above 0; may be null */
 };
 
 /* Reads the input and all that its classification needs. */
@@ -30,11 +31,11 @@ void model_read(struct model *model, const struct settings *settings, const char
 /* Replaces the scalars by means over boxes. */
 void model_reduce(struct model *model, const uint8_t factor[3]);
 
-/* Classifies everything, or takes the voxels of the file, and fills the
+/* Classifies everything (on the settings' threads), or takes the voxels of the file, and fills the
    descriptor. The voxels live as long as the program. */
 void model_volume(qv_volume *volume, struct model *model, const struct settings *settings);
 
-/* Classifies slices first <= z < end into tightly packed voxels. */
+/* Classifies slices first <= z < end into tightly packed voxels; bytes is their size. */
 void model_classify(void *voxels, size_t bytes, const struct model *model, uint32_t first,
                     uint32_t end);
 

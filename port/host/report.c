@@ -121,6 +121,17 @@ static void report_transfer(struct json *json, const struct model *model)
     json_close(json);
 }
 
+/* From the file to classified voxels. */
+static void report_model(struct json *json, const struct model *model)
+{
+    report_input(json, &model->scan);
+    if (!model->classified_before) {
+        report_scalars(json, model);
+        report_shading(json, model);
+    }
+    report_transfer(json, model);
+}
+
 /* Unit distance 0 is the step: opacities hold for one sample. */
 static void report_volume(struct json *json, const qv_scene *scene, const struct model *model)
 {
@@ -215,12 +226,13 @@ void report_scene(output *out, const struct model *model, const qv_scene *scene,
     json_begin(&json, out);
     json_text(&json, "program", "qvol");
     json_text(&json, "version", qv_version());
-    report_input(&json, &model->scan);
-    if (!model->classified_before) {
-        report_scalars(&json, model);
-        report_shading(&json, model);
+    report_model(&json, model);
+    if (model->mask != NULL) {
+        json_object(&json, "mask");
+        json_text(&json, "rule", "where its scalar is above 0, its voxel replaces the input's");
+        report_model(&json, model->mask);
+        json_close(&json);
     }
-    report_transfer(&json, model);
     report_volume(&json, scene, model);
     report_camera(&json, scene, view);
     report_sampling(&json, scene, view, settings);

@@ -7,9 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-/* The library takes spacings up to 16, and the smallest is 1. */
-#define SPACING_RATIO_MOST 16
-
 const choice element_names[] = {
     {"u8", ELEMENT_U8},
     {"s8", ELEMENT_S8},

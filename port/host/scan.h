@@ -84,6 +84,9 @@ double scan_value(const struct scan *scan, uint64_t place);
 /* Lowest and highest finite value; false if there is none. */
 bool scan_range(const struct scan *scan, double *low, double *high);
 
+/* The library takes spacings up to 16, and the smallest is 1. */
+#define SPACING_RATIO_MOST 16
+
 /* The geometry in world order: size, spacing in units of the smallest one
    (Q16.16), strides, and the bytes from the start of memory to voxel (0,0,0). */
 struct layout {

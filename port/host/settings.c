@@ -108,6 +108,18 @@ static void set_transfer(struct settings *settings, const char *option, const ch
     settings->transfer = value;
 }
 
+static void set_mask(struct settings *settings, const char *option, const char *value)
+{
+    (void)option;
+    settings->mask = value;
+}
+
+static void set_mask_transfer(struct settings *settings, const char *option, const char *value)
+{
+    (void)option;
+    settings->mask_transfer = value;
+}
+
 static void set_window(struct settings *settings, const char *option, const char *value)
 {
     double *window = settings->window;
@@ -294,7 +306,10 @@ const struct option_spec option_specs[] = {
      set_window, GROUP_CLASSIFY},
     {"shade", 0, NULL, "shade voxels by their gradient, not with indexed8", set_shade,
      GROUP_CLASSIFY},
-    {"light", 0, "RIGHT,UP", "degrees from the viewer to the light (-35,35)", set_light,
+    {"mask", 0, "FILE", "a scan of one organ: where it is above 0 it stands in for IN", set_mask,
+     GROUP_CLASSIFY},
+    {"mask-tf", 0, "NAME|FILE", "transfer function of the mask", set_mask_transfer, GROUP_CLASSIFY},
+    {"light", 0, "RIGHT,UP", "degrees from the viewer to the light (-40,40)", set_light,
      GROUP_CLASSIFY},
 
     {"sampling", 0, "MODE", "nearest, separate or weighted (weighted)", set_sampling,

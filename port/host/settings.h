@@ -24,7 +24,9 @@ struct settings {
 
     int storage; /* a qv_storage without the palette's width; 0: by default */
     unsigned palette_bits;
-    const char *transfer; /* null: the default */
+    const char *transfer;      /* null: the default */
+    const char *mask;          /* a second scan; null: none */
+    const char *mask_transfer; /* its transfer function */
     bool window_given;
     double window[2];
     bool shade;
