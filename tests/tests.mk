@@ -10,9 +10,11 @@ TEST_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -D_POSIX_C_SOURCE=200809L $(OPTIMISE
 	-Icore -Ifixedpoint -Iport -Itests -Itests/unit -Itests/reference -Itests/golden $(CMOCKA_CPPFLAGS)
 TEST_LIBS = $(CMOCKA_LIBS) -lm
 
+HASH := \#
+CMOCKA_HEADERS := stdarg.h stddef.h stdint.h setjmp.h cmocka.h
 CMOCKA_FOUND := $(if $(filter cmocka,$(WITHOUT)),,$(shell printf \
-	'\#include <stdarg.h>\n\#include <stddef.h>\n\#include <stdint.h>\n\#include <setjmp.h>\n\#include <cmocka.h>\nint main(void) { return 0; }\n' | \
-	$(CC) -x c - -lcmocka -o /dev/null 2>/dev/null && echo yes))
+	'$(CMOCKA_HEADERS:%=$(HASH)include <%>\n)int main(void) { return 0; }\n' | \
+	$(CC) $(CFLAGS) -x c - -lcmocka -o /dev/null 2>/dev/null && echo yes))
 ifeq ($(CMOCKA_FOUND),yes)
 CMOCKA_CPPFLAGS := -DHAVE_CMOCKA
 CMOCKA_LIBS := -lcmocka
