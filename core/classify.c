@@ -3,11 +3,10 @@
 #include "fx_unorm.h"
 #include "fx_wide.h"
 #include "layout.h"
+#include "memory.h"
 #include "scalars.h"
 #include "shade.h"
 #include "storage.h"
-
-#include <string.h>
 
 #define WINDOW_LEAST    (-65536)
 #define WINDOW_GREATEST 131071

@@ -2,9 +2,8 @@
 
 #include "fx_wide.h"
 #include "layout.h"
+#include "memory.h"
 #include "unit_vector.h"
-
-#include <string.h>
 
 /* sum += n * factor. The caller knows that the sum stays below 2^192. */
 static void add_product(uint32_t sum[QV_SQUARE_WORDS], const uint32_t n[QV_SQUARE_WORDS],

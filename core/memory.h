@@ -30,4 +30,11 @@ static inline uint16_t qv_read16(qv_address address)
 
 #endif
 
+/*
+ * The only functions of the C library that may be called. They are declared here
+ * since a freestanding compiler brings no <string.h>.
+ */
+void *memcpy(void *restrict to, const void *restrict from, size_t count);
+void *memset(void *to, int value, size_t count);
+
 #endif /* QV_MEMORY_H */

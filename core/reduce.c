@@ -1,9 +1,8 @@
 #include "qvol.h"
 
 #include "fx_wide.h"
+#include "memory.h"
 #include "scalars.h"
-
-#include <string.h>
 
 #define FACTOR_MAX 64u
 
