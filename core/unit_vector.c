@@ -12,14 +12,11 @@ static uint64_t extent(int32_t v, uint64_t scale)
     return (high << 32) + fx_wide_product(size, (uint32_t)scale);
 }
 
-/* How far to shift left, or right if negative, to bring the largest of the
-   extents to 2^29 .. 2^30. */
-static int headroom(uint64_t largest)
+/* How far to shift right to bring the largest of the extents below 2^30. */
+static unsigned excess(uint64_t largest)
 {
-    int shift = 0;
+    unsigned shift = 0;
     for (; largest >= (uint64_t)1 << 30; largest >>= 1)
-        shift--;
-    for (; largest < (uint64_t)1 << 29; largest <<= 1)
         shift++;
     return shift;
 }
@@ -32,15 +29,14 @@ void qv_unit_vector(int32_t unit[3], const int32_t v[3], const uint64_t scale[3]
 
     for (unsigned axis = 0; axis < 3; axis++)
         all |= extent(v[axis], scale[axis]);
-    int shift = headroom(all);
+    unsigned shift = excess(all);
     for (unsigned axis = 0; axis < 3; axis++) {
-        uint64_t size = extent(v[axis], scale[axis]);
-        part[axis] = (uint32_t)(shift < 0 ? size >> -shift : size << shift); /* < 2^30 */
-        square += fx_wide_product(part[axis], part[axis]);                   /* 2^58 .. 3 * 2^60 */
+        part[axis] = (uint32_t)(extent(v[axis], scale[axis]) >> shift); /* < 2^30 */
+        square += fx_wide_product(part[axis], part[axis]);              /* < 3 * 2^60 */
     }
-    uint32_t root = fx_rsqrt(square, &exponent); /* the exponent is 30 or 31 */
+    uint32_t root = fx_rsqrt(square, &exponent); /* exponent >= 1 */
     for (unsigned axis = 0; axis < 3; axis++) {
-        uint64_t product = fx_wide_product(part[axis], root); /* <= 2^61 */
+        uint64_t product = fx_wide_product(part[axis], root); /* < 2^61 */
         int32_t size = (int32_t)((product + ((uint64_t)1 << (exponent - 1))) >> exponent);
         size = size > FX_ONE_Q30 ? FX_ONE_Q30 : size;
         unit[axis] = v[axis] < 0 ? -size : size;
