@@ -19,8 +19,8 @@
 #     OLED_VIEW           how qvol looks at it
 
 SCAN ?= /usr/share/mricron/templates/ch2.nii.gz
-SCAN_OPTIONS ?= --tf head --reduce 3x4x3
-OLED_VIEW ?= --azimuth 30 --elevation 20 --zoom 1.4
+SCAN_OPTIONS ?= --tf oled --reduce 3x4x3
+OLED_VIEW ?= --azimuth 97 --elevation 3 --zoom 1.75
 
 FIRMWARE := golden bench size_orthographic size_perspective $(TARGET_FIRMWARE)
 COUNT_PLUGIN := $(BUILD)/emulator/count.so
