@@ -20,7 +20,7 @@ typedef struct qv_cell {
  * -1, which unsigned lies above every size, as does the last index of an axis:
  * one comparison finds both.
  */
-QV_INLINE void qv_cell_locate(qv_cell *cell, const qv_volume *volume, const qv_ray *ray)
+FX_INLINE void qv_cell_locate(qv_cell *cell, const qv_volume *volume, const qv_ray *ray)
 {
     qv_address base = volume->voxels;
     for (unsigned axis = 0; axis < 3; axis++) {
@@ -40,7 +40,7 @@ QV_INLINE void qv_cell_locate(qv_cell *cell, const qv_volume *volume, const qv_r
 }
 
 /* The address of a voxel's R,G,B,A entry: the voxel's own, or the palette's. */
-QV_INLINE qv_address qv_entry(qv_address voxel, const qv_volume *volume, unsigned storage)
+FX_INLINE qv_address qv_entry(qv_address voxel, const qv_volume *volume, unsigned storage)
 {
     if (!qv_storage_indexed(storage))
         return voxel;
@@ -49,7 +49,7 @@ QV_INLINE qv_address qv_entry(qv_address voxel, const qv_volume *volume, unsigne
 
 /* The entries of a cell's corners; corner i has bit 0 of i on x, bit 1 on y, bit
    2 on z. */
-QV_INLINE void qv_corners(qv_address corner[8], const qv_cell *cell, const qv_volume *volume,
+FX_INLINE void qv_corners(qv_address corner[8], const qv_cell *cell, const qv_volume *volume,
                           unsigned storage)
 {
     corner[0] = cell->base;
@@ -61,7 +61,7 @@ QV_INLINE void qv_corners(qv_address corner[8], const qv_cell *cell, const qv_vo
 }
 
 /* One channel of an entry: 0 R, 1 G, 2 B, 3 opacity. */
-QV_INLINE fx_channel qv_channel(qv_address entry, unsigned channel, unsigned storage)
+FX_INLINE fx_channel qv_channel(qv_address entry, unsigned channel, unsigned storage)
 {
     if (qv_channel_bytes(storage) == 1)
         return fx_channel_of(qv_read8(qv_at(entry, (qv_offset)channel)));

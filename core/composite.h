@@ -12,7 +12,7 @@
 #define QV_COMPOSITE_H
 
 #include "fx_wide.h"
-#include "inline.h"
+#include "fx_inline.h"
 #include "qvol.h"
 
 #define QV_CLEAR 0x80000000u /* transmittance 1, Q1.31 */
@@ -26,16 +26,17 @@ typedef struct qv_light {
 
 /* Places a sample behind what has been gathered. opacity is Q0.32, 2^32 - 1 for
    1: then T * opacity rounds to T, as T <= 2^31, and nothing is left. */
-QV_INLINE void qv_under(qv_light *light, const uint32_t sample[3], uint32_t opacity)
+FX_INLINE void qv_under(qv_light *light, const uint32_t sample[3], uint32_t opacity)
 {
     uint32_t transmittance = light->transmittance;
-    for (unsigned c = 0; c < 3; c++)
-        light->colour[c] += fx_high_product(sample[c], transmittance);
+    light->colour[0] += fx_high_product(sample[0], transmittance);
+    light->colour[1] += fx_high_product(sample[1], transmittance);
+    light->colour[2] += fx_high_product(sample[2], transmittance);
     light->transmittance = transmittance - fx_high_product(transmittance, opacity);
 }
 
 /* Places a sample in front of what has been gathered. */
-QV_INLINE void qv_over(qv_light *light, const uint32_t sample[3], uint32_t opacity)
+FX_INLINE void qv_over(qv_light *light, const uint32_t sample[3], uint32_t opacity)
 {
     for (unsigned c = 0; c < 3; c++) {
         light->colour[c] -= fx_high_product(light->colour[c], opacity);

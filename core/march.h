@@ -9,14 +9,14 @@
 #include "composite.h"
 #include "sample.h"
 
-QV_INLINE void qv_advance(qv_ray *ray)
+FX_INLINE void qv_advance(qv_ray *ray)
 {
     for (unsigned axis = 0; axis < 3; axis++)
         ray->place[axis] += ray->advance[axis];
 }
 
 /* Takes the ray's next sample; returns 0 where there is nothing to see. */
-QV_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
+FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
                       const qv_volume *volume, unsigned storage, qv_mode *mode)
 {
     qv_cell cell;
@@ -31,7 +31,7 @@ QV_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
 }
 
 /* Front to back. ray->samples counts down to those that were not taken. */
-QV_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
+FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
                         qv_mode *mode)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* unorm16 to Q1.31 */
@@ -52,7 +52,7 @@ QV_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context,
 }
 
 /* Turns a ray round: it starts at its last sample and runs towards the viewer. */
-QV_INLINE void qv_reverse(qv_ray *ray)
+FX_INLINE void qv_reverse(qv_ray *ray)
 {
     int32_t last = (int32_t)(ray->samples - 1u);
     for (unsigned axis = 0; axis < 3; axis++) {
@@ -62,7 +62,7 @@ QV_INLINE void qv_reverse(qv_ray *ray)
 }
 
 /* Back to front: every sample is taken. */
-QV_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *context,
+FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *context,
                              unsigned storage, qv_mode *mode)
 {
     for (qv_reverse(ray); ray->samples != 0; ray->samples--) {

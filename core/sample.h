@@ -20,56 +20,82 @@ typedef struct qv_sample {
 typedef int qv_mode(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
                     unsigned storage);
 
-/* Opacities of the eight corners; returns whether one is not 0. */
-QV_INLINE int qv_opacities(fx_channel opacity[8], const qv_address corner[8], unsigned storage)
+/* Whether one of a cell's corners has any opacity. */
+FX_INLINE int qv_any_opacity(const qv_address corner[8], unsigned storage)
 {
     uint32_t any = 0;
-    for (unsigned i = 0; i < 8; i++) {
-        opacity[i] = qv_channel(corner[i], 3, storage);
-        any |= fx_channel_bits(opacity[i]);
-    }
+    for (unsigned i = 0; i < 8; i++)
+        any |= fx_channel_bits(qv_channel(corner[i], 3, storage));
     return any != 0;
 }
 
-/* share * colour in the unit of the storage. */
-QV_INLINE fx_sum qv_weighted_colour(fx_share share, fx_channel colour, unsigned storage)
+/* What colours are multiplied with: their voxel's share of the sample's opacity
+   (weighted), or its weight alone (separate). */
+typedef enum { QV_BY_SHARE, QV_BY_WEIGHT } qv_factor;
+
+/* The three colours of a corner, each times its factor, in the unit of qv_sample for
+   shares and of 65536 * 255 or 65536 * 65535 for weights. */
+FX_INLINE void qv_terms(fx_sum term[3], fx_weight weight, fx_share share, qv_address entry,
+                        unsigned storage, qv_factor factor)
 {
-    if (qv_channel_bytes(storage) == 1)
-        return fx_sum_of_share8(share, colour);
-    return fx_sum_of_share16(share, colour);
+    fx_channel red = qv_channel(entry, 0, storage);
+    fx_channel green = qv_channel(entry, 1, storage);
+    fx_channel blue = qv_channel(entry, 2, storage);
+    if (factor == QV_BY_WEIGHT) {
+        term[0] = fx_sum_of_weight(weight, red);
+        term[1] = fx_sum_of_weight(weight, green);
+        term[2] = fx_sum_of_weight(weight, blue);
+    } else if (qv_channel_bytes(storage) == 1) {
+        term[0] = fx_sum_of_share8(share, red);
+        term[1] = fx_sum_of_share8(share, green);
+        term[2] = fx_sum_of_share8(share, blue);
+    } else {
+        term[0] = fx_sum_of_share16(share, red);
+        term[1] = fx_sum_of_share16(share, green);
+        term[2] = fx_sum_of_share16(share, blue);
+    }
 }
 
-/* Opacity-weighted: 4M 19A for the weights, 8M for the shares, 7A for the
-   opacity, 3 * (8M 7A) for the colours. */
-QV_INLINE int qv_sample_weighted(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
-                                 unsigned storage)
+/* The sum of weighted products over the corners of a cell: 4M 19A for the weights,
+   8M 7A for the opacity, 3 * (8M 7A) for the colours, with either factor. */
+FX_INLINE int qv_interpolate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                             unsigned storage, qv_factor factor)
 {
     qv_address corner[8];
-    fx_channel opacity[8];
     fx_weight weight[8];
+    fx_sum light[3], term[3];
     qv_corners(corner, cell, volume, storage);
-    if (!qv_opacities(opacity, corner, storage))
+    if (!qv_any_opacity(corner, storage))
         return 0;
     qv_weights(weight, cell->fraction);
 
-    sample->opacity = fx_share_mul(weight[0], opacity[0]);
-    for (unsigned c = 0; c < 3; c++)
-        sample->light[c] =
-            qv_weighted_colour(sample->opacity, qv_channel(corner[0], c, storage), storage);
+    fx_share opacity = fx_share_mul(weight[0], qv_channel(corner[0], 3, storage));
+    qv_terms(light, weight[0], opacity, corner[0], storage, factor);
     for (unsigned i = 1; i < 8; i++) {
-        fx_share share = fx_share_mul(weight[i], opacity[i]);
-        sample->opacity = fx_share_add(sample->opacity, share);
-        for (unsigned c = 0; c < 3; c++) {
-            fx_sum term = qv_weighted_colour(share, qv_channel(corner[i], c, storage), storage);
-            sample->light[c] = fx_sum_add(sample->light[c], term);
-        }
+        fx_share share = fx_share_mul(weight[i], qv_channel(corner[i], 3, storage));
+        qv_terms(term, weight[i], share, corner[i], storage, factor);
+        opacity = fx_share_add(opacity, share);
+        light[0] = fx_sum_add(light[0], term[0]);
+        light[1] = fx_sum_add(light[1], term[1]);
+        light[2] = fx_sum_add(light[2], term[2]);
     }
+    sample->opacity = opacity;
+    sample->light[0] = light[0];
+    sample->light[1] = light[1];
+    sample->light[2] = light[2];
     return 1;
+}
+
+/* Opacity-weighted: equations 11 and 12. */
+FX_INLINE int qv_sample_weighted(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                                 unsigned storage)
+{
+    return qv_interpolate(sample, cell, volume, storage, QV_BY_SHARE);
 }
 
 /* colour * opacity of two separate sums: round(c * a / 2^16) for 8 bits (below
    65536 * 255^2), round(c * a / 2^32) for 16. */
-QV_INLINE fx_sum qv_associate(fx_sum colour, fx_share opacity, unsigned storage)
+FX_INLINE fx_sum qv_associate(fx_sum colour, fx_share opacity, unsigned storage)
 {
     uint32_t c = fx_sum_bits(colour), a = fx_share_bits(opacity);
     if (qv_channel_bytes(storage) == 1) /* c, a <= 65536 * 255 < 2^24 */
@@ -77,35 +103,20 @@ QV_INLINE fx_sum qv_associate(fx_sum colour, fx_share opacity, unsigned storage)
     return fx_sum_of(fx_high_product(c, a));
 }
 
-/* Separate: 4M 19A for the weights, 4 * (8M 7A) for the channels. The products
-   with the opacity are those of equation 4 and belong to compositing. */
-QV_INLINE int qv_sample_separate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+/* Separate: the products with the opacity are those of equation 4 and belong to
+   compositing. */
+FX_INLINE int qv_sample_separate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
                                  unsigned storage)
 {
-    qv_address corner[8];
-    fx_channel opacity[8];
-    fx_weight weight[8];
-    qv_corners(corner, cell, volume, storage);
-    if (!qv_opacities(opacity, corner, storage))
+    if (!qv_interpolate(sample, cell, volume, storage, QV_BY_WEIGHT))
         return 0;
-    qv_weights(weight, cell->fraction);
-
-    sample->opacity = fx_share_mul(weight[0], opacity[0]);
-    for (unsigned i = 1; i < 8; i++)
-        sample->opacity = fx_share_add(sample->opacity, fx_share_mul(weight[i], opacity[i]));
-    for (unsigned c = 0; c < 3; c++) {
-        fx_sum colour = fx_sum_of_weight(weight[0], qv_channel(corner[0], c, storage));
-        for (unsigned i = 1; i < 8; i++) {
-            fx_sum term = fx_sum_of_weight(weight[i], qv_channel(corner[i], c, storage));
-            colour = fx_sum_add(colour, term);
-        }
-        sample->light[c] = qv_associate(colour, sample->opacity, storage);
-    }
+    for (unsigned c = 0; c < 3; c++)
+        sample->light[c] = qv_associate(sample->light[c], sample->opacity, storage);
     return 1;
 }
 
 /* Nearest: the corner of the half of the cell that the sample lies in. */
-QV_INLINE int qv_sample_nearest(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
                                 unsigned storage)
 {
     qv_address voxel = cell->base;
@@ -116,10 +127,9 @@ QV_INLINE int qv_sample_nearest(qv_sample *sample, const qv_cell *cell, const qv
     fx_channel opacity = qv_channel(entry, 3, storage);
     if (fx_channel_bits(opacity) == 0)
         return 0;
-    sample->opacity = fx_share_mul(fx_weight_of(FX_WEIGHT_ONE), opacity);
-    for (unsigned c = 0; c < 3; c++)
-        sample->light[c] =
-            qv_weighted_colour(sample->opacity, qv_channel(entry, c, storage), storage);
+    fx_weight one = fx_weight_of(FX_WEIGHT_ONE);
+    sample->opacity = fx_share_mul(one, opacity);
+    qv_terms(sample->light, one, sample->opacity, entry, storage, QV_BY_SHARE);
     return 1;
 }
 
@@ -128,7 +138,7 @@ QV_INLINE int qv_sample_nearest(qv_sample *sample, const qv_cell *cell, const qv
  * at most 3 units of 2^-32 low. 2^32 / (65536 * 255) = 257 + 1/255, and 1/255 =
  * 1/2^8 + 1/2^16 + ...; 2^32 / (65536 * 65535) = 1 + 1/65535.
  */
-QV_INLINE uint32_t qv_opacity_q32(fx_share opacity, unsigned storage)
+FX_INLINE uint32_t qv_opacity_q32(fx_share opacity, unsigned storage)
 {
     uint32_t a = fx_share_bits(opacity);
     if (qv_channel_bytes(storage) == 1)

@@ -5,32 +5,32 @@
 #ifndef QV_STORAGE_H
 #define QV_STORAGE_H
 
-#include "inline.h"
+#include "fx_inline.h"
 #include "qvol.h"
 
-QV_INLINE int qv_storage_indexed(unsigned storage)
+FX_INLINE int qv_storage_indexed(unsigned storage)
 {
     return storage >= QV_STORAGE_INDEXED8;
 }
 
 /* Bytes of one channel, 1 or 2. */
-QV_INLINE unsigned qv_channel_bytes(unsigned storage)
+FX_INLINE unsigned qv_channel_bytes(unsigned storage)
 {
     return (storage & 1u) != 0 ? 1u : 2u;
 }
 
 /* Bytes of one R,G,B,A entry, in the volume or in its palette. */
-QV_INLINE unsigned qv_entry_bytes(unsigned storage)
+FX_INLINE unsigned qv_entry_bytes(unsigned storage)
 {
     return 4u * qv_channel_bytes(storage);
 }
 
-QV_INLINE unsigned qv_voxel_bytes(unsigned storage)
+FX_INLINE unsigned qv_voxel_bytes(unsigned storage)
 {
     return qv_storage_indexed(storage) ? 1u : qv_entry_bytes(storage);
 }
 
-QV_INLINE unsigned qv_voxel_alignment(unsigned storage)
+FX_INLINE unsigned qv_voxel_alignment(unsigned storage)
 {
     return storage == QV_STORAGE_RGBA16 ? 2u : 1u;
 }

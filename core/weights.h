@@ -12,9 +12,9 @@
 #define QV_WEIGHTS_H
 
 #include "fx_weight.h"
-#include "inline.h"
+#include "fx_inline.h"
 
-QV_INLINE void qv_weights(fx_weight w[8], const fx_fraction f[3])
+FX_INLINE void qv_weights(fx_weight w[8], const fx_fraction f[3])
 {
     fx_weight x = fx_weight_of_fraction(f[0]);
     fx_weight y = fx_weight_of_fraction(f[1]);
