@@ -76,7 +76,7 @@ static uint64_t stack_lowest;
 enum { RAM_FIRST = 0x20000000, RAM_LAST = 0x3FFFFFFF };
 
 /* How far below the caller a write still counts as stack, rather than data. */
-enum { STACK_REACH = 8192, WORD_BYTES = 4 };
+enum { STACK_REACH = 2048, WORD_BYTES = 4 };
 
 static function_count *find_function(const char *name)
 {
