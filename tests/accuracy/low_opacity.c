@@ -11,6 +11,10 @@
 
 #define DEEPEST 512
 #define PHASES  64
+#define ACROSS  2 /* voxels on x and on y */
+#define VOXELS  (ACROSS * ACROSS * DEEPEST)
+
+static const qv_coord one = (qv_coord)1 << 32;
 
 /* Half a level is the read-out's own rounding. */
 static const double most_off = 0.51;
@@ -24,8 +28,8 @@ static const uint16_t colours[][3] = {{1, 128, 255}, {0xffff, 0x0101, 0x8080}};
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
 typedef union memory {
-    uint16_t rgba16[DEEPEST][4];
-    unsigned char index8[DEEPEST];
+    uint16_t rgba16[VOXELS][4];
+    unsigned char index8[VOXELS];
 } memory;
 
 typedef struct setting {
@@ -34,14 +38,14 @@ typedef struct setting {
     double worst_opacity, worst_colour;
 } setting;
 
-/* A column of equal voxels along z, seen along z with one sample in each. */
+/* Equal voxels two by two along z, seen along z with one sample in each of their depths. */
 static void uniform_scene(qv_scene *scene, memory *voxels, uint16_t (*palette)[4],
                           qv_storage storage, const setting *of)
 {
-    const qv_coord one = (qv_coord)1 << 32;
     const bool indexed = storage == QV_STORAGE_INDEXED8_16;
+    const int32_t bytes = indexed ? 1 : 8;
     memset(scene, 0, sizeof *scene);
-    for (int i = 0; i < of->depth; i++) {
+    for (int i = 0; i < ACROSS * ACROSS * of->depth; i++) {
         if (indexed) {
             voxels->index8[i] = 7;
         } else {
@@ -53,13 +57,13 @@ static void uniform_scene(qv_scene *scene, memory *voxels, uint16_t (*palette)[4
     scene->volume.palette = indexed ? (const unsigned char *)palette : NULL;
     scene->volume.palette_bytes = indexed ? QV_PALETTE16_BYTES : 0;
     scene->volume.storage = (uint8_t)storage;
-    scene->volume.stride[2] = indexed ? 1 : 8;
-    scene->volume.voxels_bytes = (uint64_t)of->depth * (indexed ? 1 : 8);
-    scene->volume.size[0] = 1;
-    scene->volume.size[1] = 1;
+    scene->volume.stride[0] = bytes;
+    scene->volume.stride[1] = bytes * ACROSS;
+    scene->volume.stride[2] = bytes * ACROSS * ACROSS;
+    scene->volume.voxels_bytes = (uint64_t)(bytes * ACROSS * ACROSS) * of->depth;
+    scene->volume.size[0] = ACROSS;
+    scene->volume.size[1] = ACROSS;
     scene->volume.size[2] = of->depth;
-    scene->camera.origin[0] = one / 2;
-    scene->camera.origin[1] = one / 2;
     scene->camera.across[0] = one;
     scene->camera.down[1] = one;
     scene->camera.along[2] = one;
@@ -86,7 +90,7 @@ static void compare_pixel(setting *of, const qv_scene *scene)
     }
 }
 
-/* Phases along the ray and across the voxel at once. */
+/* Phases along the ray and between the voxels' centres at once. */
 static void all_phases(setting *of, qv_storage storage)
 {
     static memory voxels;
@@ -95,8 +99,8 @@ static void all_phases(setting *of, qv_storage storage)
     uniform_scene(&scene, &voxels, palette, storage, of);
     for (uint32_t phase = 0; phase < PHASES; phase++) {
         scene.phase = (uint16_t)(phase * (65536 / PHASES));
-        scene.camera.origin[0] = ((qv_coord)phase << 32) / PHASES;
-        scene.camera.origin[1] = ((qv_coord)(PHASES - 1 - phase) << 32) / PHASES;
+        scene.camera.origin[0] = one / 2 + one * phase / PHASES;
+        scene.camera.origin[1] = one / 2 + one * (PHASES - 1 - phase) / PHASES;
         compare_pixel(of, &scene);
     }
 }
