@@ -40,7 +40,7 @@ static void choose_window(double window[2], const struct scan *scan,
 
 static int32_t whole_window(double value)
 {
-    if (value < WINDOW_LEAST || value > WINDOW_MOST || value < floor(value)) {
+    if (value < WINDOW_LEAST || value > WINDOW_MOST || value > floor(value)) {
         usage_error("--window", "%g is not a whole number from %d to %d, as these data need", value,
                     WINDOW_LEAST, WINDOW_MOST);
     }
