@@ -1,0 +1,486 @@
+/*
+ * The worked examples S1 .. S24 of tests/SPEC.md: from voxels to light. The same inputs and
+ * results as there, written out.
+ */
+#include "check.h"
+#include "camera.h"
+#include "fx_angle.h"
+#include "fx_root.h"
+#include "fx_unorm.h"
+#include "march.h"
+#include "pixels.h"
+
+#include <string.h>
+
+#define VOXEL INT64_C(0x100000000)
+
+#define expect_vector(v, x, y, z)                                                                  \
+    do {                                                                                           \
+        assert_int_equal((v)[0], x);                                                               \
+        assert_int_equal((v)[1], y);                                                               \
+        assert_int_equal((v)[2], z);                                                               \
+    } while (0)
+
+/* ---- Fixed-point operations ------------------------------------------------- */
+
+static void S1_high_product(void **state)
+{
+    (void)state;
+    assert_int_equal(fx_high_product(0x7FFFFFFFu, 1), 0);
+    assert_int_equal(fx_high_product(0x80000000u, 1), 1);
+    assert_int_equal(fx_high_product(0xFFFFFFFFu, 0xFFFFFFFFu), 0xFFFFFFFEu);
+    assert_int_equal(fx_high_product(0x80000000u, 0xFFFFFFFFu), 0x80000000u);
+}
+
+static void S2_product_cut(void **state)
+{
+    (void)state;
+    assert_int_equal(fx_product_shift16(4294901760u, 65535), 4294836225u);
+    assert_int_equal(fx_product_shift16(65537u, 65535), 65535);
+}
+
+static void S3_scale(void **state)
+{
+    (void)state;
+    assert_int_equal(fx_scale_q30(3, 1 << 29), 2);
+    assert_int_equal(fx_scale_q30(-3, 1 << 29), -1);
+    assert_int_equal(fx_scale_q30(-0x123456789ABCDEF, 0x2AAAAAAB), -54657019503109588);
+}
+
+static void S4_divide(void **state)
+{
+    (void)state;
+    assert_int_equal(fx_divide(0xFFFFFFFFFFFFFFFFu, 0x7FFFFFFFu), 8589934596);
+    assert_int_equal(fx_divide(6, 7), 0);
+}
+
+static void S5_sine_cosine(void **state)
+{
+    static const struct {
+        fx_angle angle;
+        int32_t sine, cosine;
+    } examples[] = {{0x00000000, 0, 1073741824},         {0x00000001, 2, 1073741824},
+                    {0x15555555, 536870912, 929887697},  {0x20000000, 759250125, 759250125},
+                    {0x2AAAAAAB, 929887697, 536870912},  {0x40000000, 1073741824, 0},
+                    {0x9ABCDEF0, -655138360, -850714543}};
+    (void)state;
+    for (unsigned i = 0; i < sizeof examples / sizeof *examples; i++) {
+        int32_t sine, cosine;
+        fx_sine_cosine(&sine, &cosine, examples[i].angle);
+        assert_int_equal(sine, examples[i].sine);
+        assert_int_equal(cosine, examples[i].cosine);
+    }
+}
+
+static void S6_reciprocal_root(void **state)
+{
+    static const struct {
+        uint64_t n;
+        uint32_t root;
+        unsigned exponent;
+    } examples[] = {{0, 2147483647u, 1},
+                    {1, 2147483647u, 1},
+                    {2, 1518500250u, 1},
+                    {3, 1239850262u, 1},
+                    {UINT64_C(1) << 46, 2147483647u, 24},
+                    {UINT64_C(3) << 60, 1239850262u, 31},
+                    {UINT64_MAX, 1073741824u, 32}};
+    (void)state;
+    for (unsigned i = 0; i < sizeof examples / sizeof *examples; i++) {
+        unsigned exponent;
+        assert_int_equal(fx_rsqrt(examples[i].n, &exponent), examples[i].root);
+        assert_int_equal(exponent, examples[i].exponent);
+    }
+}
+
+static void S7_unorm(void **state)
+{
+    (void)state;
+    assert_int_equal(fx_unorm16_to_unorm8(128), 0);
+    assert_int_equal(fx_unorm16_to_unorm8(129), 1);
+    assert_int_equal(fx_unorm16_to_unorm8(65535), 255);
+    assert_int_equal(fx_div255_round(127), 0);
+    assert_int_equal(fx_div255_round(128), 1);
+    assert_int_equal(fx_div255_round(65025), 255);
+}
+
+/* ---- Volume, camera, ray ---------------------------------------------------- */
+
+/* Stands for the voxels where only their addresses are looked at. */
+static const uint8_t memory[2048];
+
+static qv_volume any_volume(void)
+{
+    const qv_volume volume = {.voxels = memory,
+                              .voxels_bytes = sizeof memory,
+                              .spacing = {65536, 98304, 43691},
+                              .stride = {1, 3, 12},
+                              .size = {3, 4, 5},
+                              .storage = QV_STORAGE_INDEXED8};
+    return volume;
+}
+
+static qv_view any_view(void)
+{
+    qv_view view = {.pitch = 32768, .step = 49152, .width = 6, .height = 5};
+    qv_rotation(view.rotation, 0x15555555, 0x0AAAAAAB, 0xF0000000);
+    return view;
+}
+
+/* A context for a camera; unchecked, since rays read no voxels. */
+static qv_context any_context(const qv_camera *camera)
+{
+    const qv_context context = {
+        .scene = {.phase = 0x5555, .volume = any_volume(), .camera = *camera}};
+    return context;
+}
+
+static void S8_address(void **state)
+{
+    qv_volume volume = any_volume();
+    qv_cell cell;
+    const qv_ray ray = {{3 * VOXEL, 2 * VOXEL, 1 * VOXEL}, {0, 0, 0}, 1};
+    (void)state;
+    for (unsigned axis = 0; axis < 3; axis++)
+        volume.size[axis] = 8;
+    volume.voxels = memory + 512;
+    volume.stride[0] = 8;
+    volume.stride[1] = -64;
+    volume.stride[2] = 1024;
+    qv_cell_locate(&cell, &volume, &ray);
+    assert_int_equal(cell.base - volume.voxels, 920);
+}
+
+static void S9_spacing(void **state)
+{
+    static const uint32_t spacing[] = {65536, 98304, 4096, 43691};
+    static const qv_coord voxels[] = {4294967296, 2863311531, 68719476736, 6442401792};
+    qv_volume volume = any_volume();
+    (void)state;
+    for (unsigned i = 0; i < 4; i++) {
+        volume.spacing[0] = spacing[i];
+        assert_int_equal(qv_voxels(65536, &volume, 0), voxels[i]);
+    }
+}
+
+static void S10_rotation(void **state)
+{
+    const qv_view view = any_view();
+    (void)state;
+    expect_vector(view.rotation[0], 805929422, 588105481, 396902020);
+    expect_vector(view.rotation[1], 484227910, -16900929, -958206237);
+    expect_vector(view.rotation[2], -518577479, 898202542, -277904834);
+}
+
+static qv_camera orthographic(void)
+{
+    const qv_volume volume = any_volume();
+    const qv_view view = any_view();
+    qv_camera camera;
+    assert_int_equal(qv_orthographic(&camera, &volume, &view), QV_OK);
+    return camera;
+}
+
+static qv_camera perspective(void)
+{
+    const qv_volume volume = any_volume();
+    const qv_view view = any_view();
+    qv_camera camera;
+    assert_int_equal(qv_perspective(&camera, &volume, &view, 0x1C71C71C), QV_OK);
+    return camera;
+}
+
+static void S11_orthographic_camera(void **state)
+{
+    const qv_camera camera = orthographic();
+    (void)state;
+    expect_vector(camera.origin, 475892194, 6674652133, 13509869358);
+    expect_vector(camera.across, 1611858844, 784140641, 1190696976);
+    expect_vector(camera.down, 968455820, -22534572, -2874596779);
+    expect_vector(camera.along, -1555732437, 1796405084, -1250562212);
+    expect_vector(camera.pace, 0, 0, 0);
+}
+
+static void S12_perspective_camera(void **state)
+{
+    const qv_camera camera = perspective();
+    (void)state;
+    expect_vector(camera.origin, 13566350526, 363963903, 16463903982);
+    expect_vector(camera.across, 469334912, 342484623, 231136833);
+    expect_vector(camera.down, 281991273, -9842296, -558013677);
+    expect_vector(camera.along, -3811629742, 2756283202, -573434065);
+    expect_vector(camera.pace, 3221225472, 2147483648, 4831801344);
+}
+
+/* A ray as a camera makes it stands at its first sample, moved as a cell wants it:
+   this takes it back to sample 0. */
+static void restart(qv_ray *ray, int32_t first)
+{
+    for (unsigned axis = 0; axis < 3; axis++)
+        ray->place[axis] += VOXEL / 2 - VOXEL / 512 - first * ray->advance[axis];
+}
+
+static void S13_orthographic_ray(void **state)
+{
+    const qv_camera camera = orthographic();
+    const qv_context context = any_context(&camera);
+    qv_ray ray;
+    (void)state;
+    qv_ray_orthographic(&ray, &context, 2, 2);
+    restart(&ray, -4);
+    expect_vector(ray.place, 5117951956, 8796656829, 9725222042);
+    expect_vector(ray.advance, -1555732437, 1796405084, -1250562212);
+}
+
+static void S14_perspective_ray(void **state)
+{
+    const qv_camera camera = perspective();
+    const qv_context context = any_context(&camera);
+    qv_ray ray;
+    (void)state;
+    qv_ray_perspective(&ray, &context, 2, 3);
+    restart(&ray, 1);
+    expect_vector(ray.place, 13066194204, 925189952, 15803164644);
+    expect_vector(ray.advance, -1500491862, 1683703838, -1982248260);
+}
+
+/* Clips a ray and compares its first and last sample number. */
+static void expect_clip(qv_ray ray, int32_t least, int32_t first, int32_t last)
+{
+    const qv_volume volume = any_volume();
+    const qv_coord start = ray.place[0];
+    qv_ray_clip(&ray, volume.size, least);
+    assert_int_equal(ray.samples, last - first + 1);
+    assert_int_equal(ray.place[0], start + first * ray.advance[0] - VOXEL / 2 + VOXEL / 512);
+}
+
+static void S15_clip(void **state)
+{
+    const qv_ray perspective_ray = {
+        {13066194204, 925189952, 15803164644}, {-1500491862, 1683703838, -1982248260}, 0};
+    const qv_ray orthographic_ray = {
+        {5117951956, 8796656829, 9725222042}, {-1555732437, 1796405084, -1250562212}, 0};
+    const qv_ray upwards = {{0, VOXEL, VOXEL}, {VOXEL / 2, 0, 0}, 0};
+    const qv_ray downwards = {{0, VOXEL, VOXEL}, {-VOXEL / 2, 0, 0}, 0};
+    (void)state;
+    expect_clip(perspective_ray, 0, 1, 7);
+    expect_clip(orthographic_ray, -QV_GRID_LIMIT, -4, 3);
+    expect_clip(upwards, -QV_GRID_LIMIT, 0, 5);
+    expect_clip(downwards, -QV_GRID_LIMIT, -5, 0);
+}
+
+/* Compares the voxels i0 and i1 of the cell at a place, both as bytes from voxel
+   (0, 0, 0), and its fractions. */
+static void expect_cell(const qv_ray *ray, ptrdiff_t low, ptrdiff_t high, uint32_t x, uint32_t y,
+                        uint32_t z)
+{
+    const qv_volume volume = any_volume();
+    qv_cell cell;
+    qv_cell_locate(&cell, &volume, ray);
+    assert_int_equal(cell.base - memory, low);
+    assert_int_equal(cell.base + cell.next[0] + cell.next[1] + cell.next[2] - memory, high);
+    assert_int_equal(fx_fraction_bits(cell.fraction[0]), x);
+    assert_int_equal(fx_fraction_bits(cell.fraction[1]), y);
+    assert_int_equal(fx_fraction_bits(cell.fraction[2]), z);
+}
+
+static void S16_cell(void **state)
+{
+    const qv_ray first = {{9426607302, 469798750, 11681821344}, {0, 0, 0}, 1};
+    const qv_coord centred = VOXEL / 512 - VOXEL / 2;
+    const qv_ray clamped = {
+        {VOXEL / 4 + centred, 7 * VOXEL / 2 + centred, 2 * VOXEL - VOXEL / 512 + centred},
+        {0, 0, 0},
+        1};
+    (void)state;
+    expect_cell(&first, 2 * 1 + 0 * 3 + 2 * 12, 2 * 1 + 1 * 3 + 3 * 12, 49, 28, 184);
+    expect_cell(&clamped, 0 * 1 + 3 * 3 + 1 * 12, 0 * 1 + 3 * 3 + 2 * 12, 192, 0, 128);
+}
+
+/* ---- Sample ------------------------------------------------------------------- */
+
+static void expect_weights(const uint8_t f[3], const uint32_t expected[8])
+{
+    const fx_fraction fraction[3] = {fx_fraction_of(f[0]), fx_fraction_of(f[1]),
+                                     fx_fraction_of(f[2])};
+    fx_weight weight[8];
+    qv_weights(weight, fraction);
+    for (unsigned i = 0; i < 8; i++)
+        assert_int_equal(fx_weight_bits(weight[i]), expected[i]);
+}
+
+static void S17_weights(void **state)
+{
+    static const uint8_t f[2][3] = {{85, 170, 3}, {255, 255, 255}};
+    static const uint32_t w[2][8] = {{14534, 7224, 28729, 14281, 172, 86, 341, 169},
+                                     {0, 1, 1, 254, 1, 254, 254, 64771}};
+    (void)state;
+    for (unsigned i = 0; i < 2; i++)
+        expect_weights(f[i], w[i]);
+}
+
+/* The sample of S18 to S21 in one mode: eight entries side by side are the corners. */
+static qv_sample sample_corners(qv_mode *mode, unsigned storage)
+{
+    uint8_t narrow[8][4];
+    uint16_t wide[8][4];
+    for (unsigned q = 0; q < 8; q++) {
+        const unsigned rgba[4] = {10 * q + 1, 255 - 30 * q, 7 * q * q % 256, (37 * q + 5) % 256};
+        for (unsigned c = 0; c < 4; c++) {
+            narrow[q][c] = (uint8_t)rgba[c];
+            wide[q][c] = (uint16_t)(257 * rgba[c] + q);
+        }
+    }
+    const qv_volume volume = {.storage = (uint8_t)storage};
+    const qv_offset entry = (qv_offset)qv_entry_bytes(storage);
+    const qv_cell cell = {storage == QV_STORAGE_RGBA8 ? narrow[0] : (qv_address)wide,
+                          {entry, 2 * entry, 4 * entry},
+                          {fx_fraction_of(85), fx_fraction_of(170), fx_fraction_of(3)}};
+    qv_sample sample;
+    assert_true(mode(&sample, &cell, &volume, storage));
+    return sample;
+}
+
+static void expect_sample(qv_mode *mode, unsigned storage, uint32_t opacity,
+                          const uint32_t light[3])
+{
+    const qv_sample sample = sample_corners(mode, storage);
+    assert_int_equal(fx_share_bits(sample.opacity), opacity);
+    for (unsigned c = 0; c < 3; c++)
+        assert_int_equal(fx_sum_bits(sample.light[c]), light[c]);
+}
+
+static void S18_weighted_8_bits(void **state)
+{
+    static const uint32_t light[3] = {109156160, 813840960, 195469032};
+    (void)state;
+    expect_sample(qv_sample_weighted, QV_STORAGE_RGBA8, 4423680, light);
+}
+
+static void S19_weighted_16_bits(void **state)
+{
+    static const uint32_t light[3] = {110062946, 820331968, 197060302};
+    (void)state;
+    expect_sample(qv_sample_weighted, QV_STORAGE_RGBA16, 1136997632, light);
+}
+
+static void S20_separate(void **state)
+{
+    static const uint32_t light8[3] = {79937280, 901497600, 127550160};
+    static const uint32_t light16[3] = {80600553, 908673325, 128590857};
+    (void)state;
+    expect_sample(qv_sample_separate, QV_STORAGE_RGBA8, 4423680, light8);
+    expect_sample(qv_sample_separate, QV_STORAGE_RGBA16, 1136997632, light16);
+}
+
+static void S21_nearest(void **state)
+{
+    static const uint32_t light8[3] = {108724224, 1009582080, 144965632};
+    static const uint32_t light16[3] = {109626695, 1017625685, 146155390};
+    (void)state;
+    expect_sample(qv_sample_nearest, QV_STORAGE_RGBA8, 5177344, light8);
+    expect_sample(qv_sample_nearest, QV_STORAGE_RGBA16, 1330708480, light16);
+}
+
+static void S22_opacity(void **state)
+{
+    (void)state;
+    assert_int_equal(qv_opacity_q32(fx_share_of(16711680), QV_STORAGE_RGBA8), 0xFFFFFFFFu);
+    assert_int_equal(qv_opacity_q32(fx_share_of(65536), QV_STORAGE_RGBA8), 16843009);
+    assert_int_equal(qv_opacity_q32(fx_share_of(4423680), QV_STORAGE_RGBA8), 1136903107);
+    assert_int_equal(qv_opacity_q32(fx_share_of(4294901760u), QV_STORAGE_RGBA16), 0xFFFFFFFFu);
+    assert_int_equal(qv_opacity_q32(fx_share_of(65536), QV_STORAGE_RGBA16), 65537);
+    assert_int_equal(qv_opacity_q32(fx_share_of(1136997632), QV_STORAGE_RGBA16), 1137014981);
+}
+
+/* ---- Compositing -------------------------------------------------------------- */
+
+typedef void compositing(qv_light *light, const uint32_t sample[3], uint32_t opacity);
+
+static void under(qv_light *light, const uint32_t sample[3], uint32_t opacity)
+{
+    qv_under(light, sample, opacity);
+}
+
+static void over(qv_light *light, const uint32_t sample[3], uint32_t opacity)
+{
+    qv_over(light, sample, opacity);
+}
+
+/* Composites the first `count` of the weighted, the separate and the nearest sample. */
+static qv_light gather(compositing *composite, unsigned storage, unsigned count)
+{
+    qv_mode *const modes[3] = {qv_sample_weighted, qv_sample_separate, qv_sample_nearest};
+    qv_light light = {.transmittance = QV_CLEAR};
+    for (unsigned i = 0; i < count; i++) {
+        const qv_sample sample = sample_corners(modes[i], storage);
+        const uint32_t colour[3] = {fx_sum_bits(sample.light[0]), fx_sum_bits(sample.light[1]),
+                                    fx_sum_bits(sample.light[2])};
+        composite(&light, colour, qv_opacity_q32(sample.opacity, storage));
+    }
+    return light;
+}
+
+static void expect_light(const qv_light *light, const uint32_t expected[4])
+{
+    expect_vector(light->colour, expected[0], expected[1], expected[2]);
+    assert_int_equal(light->transmittance, expected[3]);
+}
+
+static void S23_under(void **state)
+{
+    static const uint32_t one[4] = {54578080, 406920480, 97734516, 1579032094};
+    static const uint32_t three[4] = {113358066, 1011272452, 183816331, 801354235};
+    static const uint32_t wide[4] = {114296125, 1019299184, 185311727, 801262030};
+    const qv_light light[3] = {gather(under, QV_STORAGE_RGBA8, 1),
+                               gather(under, QV_STORAGE_RGBA8, 3),
+                               gather(under, QV_STORAGE_RGBA16, 3)};
+    (void)state;
+    expect_light(&light[0], one);
+    expect_light(&light[1], three);
+    expect_light(&light[2], wide);
+}
+
+static void S24_over(void **state)
+{
+    static const uint32_t one[4] = {54578080, 406920480, 97734516, 1579032094};
+    static const uint32_t three[4] = {109646529, 1022407064, 166100111, 801354235};
+    static const uint32_t wide[4] = {110553301, 1030521837, 167451971, 801262030};
+    const qv_light light[3] = {gather(over, QV_STORAGE_RGBA8, 1), gather(over, QV_STORAGE_RGBA8, 3),
+                               gather(over, QV_STORAGE_RGBA16, 3)};
+    (void)state;
+    expect_light(&light[0], one);
+    expect_light(&light[1], three);
+    expect_light(&light[2], wide);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(S1_high_product),
+        cmocka_unit_test(S2_product_cut),
+        cmocka_unit_test(S3_scale),
+        cmocka_unit_test(S4_divide),
+        cmocka_unit_test(S5_sine_cosine),
+        cmocka_unit_test(S6_reciprocal_root),
+        cmocka_unit_test(S7_unorm),
+        cmocka_unit_test(S8_address),
+        cmocka_unit_test(S9_spacing),
+        cmocka_unit_test(S10_rotation),
+        cmocka_unit_test(S11_orthographic_camera),
+        cmocka_unit_test(S12_perspective_camera),
+        cmocka_unit_test(S13_orthographic_ray),
+        cmocka_unit_test(S14_perspective_ray),
+        cmocka_unit_test(S15_clip),
+        cmocka_unit_test(S16_cell),
+        cmocka_unit_test(S17_weights),
+        cmocka_unit_test(S18_weighted_8_bits),
+        cmocka_unit_test(S19_weighted_16_bits),
+        cmocka_unit_test(S20_separate),
+        cmocka_unit_test(S21_nearest),
+        cmocka_unit_test(S22_opacity),
+        cmocka_unit_test(S23_under),
+        cmocka_unit_test(S24_over),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
