@@ -13,6 +13,7 @@
 #define QV_MOST_PITCH  (1u << 12) /* of |across|, |down| */
 #define QV_MOST_PACE   (1u << 8)  /* of |along| or pace */
 #define QV_MOST_ORIGIN ((uint32_t)1 << 20)
+#define QV_MOST_ALONG  ((uint32_t)1 << 20) /* perspective, world units */
 
 /* Ranges and independence as stated at qv_camera. QV_OK, QV_ERROR_NULL, _CAMERA. */
 qv_status qv_camera_check(const qv_camera *camera);

@@ -58,14 +58,19 @@ static int independent(const qv_camera *camera)
     return d <= -LEAST_DETERMINANT || d >= LEAST_DETERMINANT;
 }
 
-/* Orthographic cameras have no pace: there along leads from sample to sample. */
+/*
+ * Orthographic cameras have no pace: there along leads from sample to sample. In
+ * perspective the eye lies at most 2^20 paces off on each axis; the volume is at
+ * most 2^20 of them long, so k stays below sqrt(3) * 2^21 < QV_GRID_LIMIT.
+ */
 static int paced(const qv_camera *camera)
 {
     const qv_coord *pace = camera->pace;
     if (largest(pace) == 0)
-        return largest(camera->along) >= QV_LEAST_PACE;
+        return largest(camera->along) >= QV_LEAST_PACE && within(camera->along, QV_MOST_PACE);
     for (unsigned axis = 0; axis < 3; axis++)
-        if (pace[axis] < (qv_coord)QV_LEAST_PACE)
+        if (pace[axis] < (qv_coord)QV_LEAST_PACE ||
+            magnitude(camera->origin[axis]) > (uint64_t)pace[axis] << 20)
             return 0;
     return within(pace, QV_MOST_PACE);
 }
@@ -76,6 +81,6 @@ qv_status qv_camera_check(const qv_camera *camera)
         return QV_ERROR_NULL;
     int in_range = within(camera->origin, QV_MOST_ORIGIN) &&
                    within(camera->across, QV_MOST_PITCH) && within(camera->down, QV_MOST_PITCH) &&
-                   within(camera->along, QV_MOST_PACE);
+                   within(camera->along, QV_MOST_ALONG);
     return in_range && paced(camera) && independent(camera) ? QV_OK : QV_ERROR_CAMERA;
 }

@@ -9,10 +9,9 @@
 #define LEAST_FIELD       DEGREE_ROUNDED_UP
 #define MOST_FIELD        0x6AAAAAAAu /* 150 degrees */
 
-/* Directions are cut from Q31.32 to Q5.27 before they are normalised. */
-#define DIRECTION_SHIFT 5
-#define MOST_DIRECTION  (QV_VOXEL * 8)
-#define LEAST_SQUARE    ((uint64_t)1 << 46) /* (2^-4 in Q5.27)^2 */
+/* Directions are halved until they have 31 bits, and then normalised. */
+#define MOST_HALVED     ((uint64_t)1 << 31)
+#define LEAST_DIRECTION ((uint64_t)1 << 16) /* 2^-16 world units */
 
 /*
  * Distance from the eye to the volume's centre in world units, Q31.32: half the
@@ -38,14 +37,6 @@ static qv_coord to_voxels(qv_coord v, uint32_t spacing)
     return v < 0 ? -(qv_coord)voxels : (qv_coord)voxels;
 }
 
-/* World units from pixel to pixel at distance 1, Q31.32: twice the tangent of
-   half the field by the rows of the frame. */
-static qv_coord pixel_slope(uint16_t height, int32_t sine, int32_t cosine)
-{
-    uint64_t tangent = fx_divide((uint64_t)(uint32_t)sine << 32, (uint32_t)cosine); /* < 2^34 */
-    return (qv_coord)fx_divide(2u * tangent + height / 2u, height);
-}
-
 qv_status qv_perspective(qv_camera *camera, const qv_volume *volume, const qv_view *view,
                          qv_angle field_of_view)
 {
@@ -61,15 +52,17 @@ qv_status qv_perspective(qv_camera *camera, const qv_volume *volume, const qv_vi
     int32_t sine, cosine;
     fx_sine_cosine(&sine, &cosine, field_of_view / 2u);
     qv_coord distance = eye_distance((uint32_t)height, sine, cosine);
-    qv_coord slope = pixel_slope(view->height, sine, cosine);
+    qv_coord pitch = (qv_coord)view->pitch << 16;
     for (unsigned axis = 0; axis < 3; axis++) {
         uint32_t spacing = qv_spacing(volume->spacing, axis);
         int32_t forward = view->rotation[2][axis];
         qv_coord to_centre = to_voxels(fx_scale_q30(distance, forward), spacing);
         camera->origin[axis] = volume->size[axis] * (QV_VOXEL / 2) - to_centre;
-        camera->across[axis] = fx_scale_q30(slope, view->rotation[0][axis]);
-        camera->down[axis] = fx_scale_q30(slope, view->rotation[1][axis]);
-        camera->along[axis] = (qv_coord)forward * 4 - qv_half_frame(camera, axis, view);
+        /* v leads to the pixel on the plane through the centre: exact there, whatever the
+           rounding of the distance */
+        camera->across[axis] = fx_scale_q30(pitch, view->rotation[0][axis]);
+        camera->down[axis] = fx_scale_q30(pitch, view->rotation[1][axis]);
+        camera->along[axis] = fx_scale_q30(distance, forward) - qv_half_frame(camera, axis, view);
         camera->pace[axis] = qv_voxels(view->step, volume, axis);
     }
     camera->step = view->step;
@@ -77,26 +70,37 @@ qv_status qv_perspective(qv_camera *camera, const qv_volume *volume, const qv_vi
     return QV_OK;
 }
 
-/* Scales a world direction to length 1, Q2.30; 0 where it is too long or too
-   short to be scaled. */
+/* Magnitudes of v, halved alike until each is below 2^31; 0 where v is too short. */
+static int halve(uint32_t size[3], const qv_coord v[3])
+{
+    uint64_t long_size[3], all = 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        long_size[axis] = v[axis] < 0 ? 0u - (uint64_t)v[axis] : (uint64_t)v[axis];
+        all |= long_size[axis];
+    }
+    if (all < LEAST_DIRECTION)
+        return 0;
+    unsigned shift = 0;
+    for (; all >= MOST_HALVED; all >>= 1)
+        shift++;
+    for (unsigned axis = 0; axis < 3; axis++)
+        size[axis] = (uint32_t)(long_size[axis] >> shift);
+    return 1;
+}
+
+/* Scales a world direction to length 1, Q2.30; 0 where it is too short. */
 static int normalise(int32_t unit[3], const qv_coord direction[3])
 {
     uint32_t size[3];
     uint64_t square = 0;
     unsigned exponent;
-    for (unsigned axis = 0; axis < 3; axis++) {
-        qv_coord v = direction[axis] < 0 ? -direction[axis] : direction[axis];
-        if (v > MOST_DIRECTION)
-            return 0;
-        size[axis] =
-            (uint32_t)((v + (1 << (DIRECTION_SHIFT - 1))) >> DIRECTION_SHIFT); /* <= 2^30 */
-        square += fx_wide_product(size[axis], size[axis]);                     /* <= 3 * 2^60 */
-    }
-    if (square < LEAST_SQUARE)
+    if (!halve(size, direction))
         return 0;
+    for (unsigned axis = 0; axis < 3; axis++)
+        square += fx_wide_product(size[axis], size[axis]); /* < 3 * 2^62 */
     uint32_t root = fx_rsqrt(square, &exponent);
     for (unsigned axis = 0; axis < 3; axis++) {
-        /* size * root <= 2^61; exponent >= 24; the quotient is at most 2^30 and a little */
+        /* size * root < 2^62; exponent >= 16; the quotient is at most 2^30 and a little */
         uint64_t product = fx_wide_product(size[axis], root) + ((uint64_t)1 << (exponent - 1u));
         int32_t length = (int32_t)(product >> exponent);
         length = length > FX_ONE_Q30 ? FX_ONE_Q30 : length;

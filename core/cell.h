@@ -5,7 +5,7 @@
 #define QV_CELL_H
 
 #include "fx_weight.h"
-#include "memory.h"
+#include "access.h"
 #include "ray.h"
 #include "storage.h"
 

@@ -3,7 +3,7 @@
 #include "fx_unorm.h"
 #include "fx_wide.h"
 #include "layout.h"
-#include "memory.h"
+#include "access.h"
 #include "scalars.h"
 #include "shade.h"
 #include "storage.h"

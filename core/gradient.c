@@ -2,7 +2,7 @@
 
 #include "fx_wide.h"
 #include "layout.h"
-#include "memory.h"
+#include "access.h"
 #include "unit_vector.h"
 
 /* sum += n * factor. The caller knows that the sum stays below 2^192. */

@@ -71,7 +71,7 @@ extern "C" {
  * Address of data that may lie in program memory: voxels, palettes, scalars.
  * A port whose program memory is not reached through plain pointers names a
  * header in QV_MEMORY_HEADER that defines qv_address, qv_offset (a signed
- * integer that spans a volume) and the accessors of core/memory.h.
+ * integer that spans a volume) and the accessors of core/access.h.
  */
 #ifdef QV_MEMORY_HEADER
 #include QV_MEMORY_HEADER
@@ -172,17 +172,18 @@ void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, in
  *
  *   orthographic: p = origin + x*across + y*down + (k + phase)*along
  *                 pace is 0 on every axis
- *   perspective:  v = along + x*across + y*down   (a world direction, any length)
+ *   perspective:  v = along + x*across + y*down   (a direction in world units)
  *                 p = origin + (k + phase)*pace * v/|v|,  k >= 0, by component
  *
- * Ranges: |origin| <= 2^20 voxels; |across|, |down| <= 2^12; |along| <= 2^8;
- * the largest component of along (orthographic) and every pace (perspective)
- * at least 2^-8 voxel, pace at most 2^8; perspective: |v| <= 8 on every axis
- * and |v| >= 2^-4 for the pixels that are rendered, other pixels show the
- * background, as do all where pace is 0. The vectors across, down and along must be independent: the
- * determinant of the three, each scaled by a power of 2 that takes its largest
- * component to 1/2 .. 1, is at least 2^-14 in magnitude. (Vectors shorter than
- * 2^-17 voxel count as too short.)
+ * Ranges. Of both: |origin| <= 2^20 voxels, |across| and |down| <= 2^12.
+ * Orthographic: |along| <= 2^8 voxels, its largest component >= 2^-8; samples
+ * lie at -2^22 <= k < 2^22. Perspective: 2^-8 <= pace <= 2^8, |origin| <= 2^20 *
+ * pace (so that k < 2^22 in the volume), |along| <= 2^20; pixels whose |v| is
+ * below 2^-16 on every axis show the background, as do all where pace is 0.
+ *
+ * across, down and along must be independent: the determinant of the three, each
+ * scaled by a power of 2 that takes its largest component to 1/2 .. 1, is at
+ * least 2^-14 in magnitude. (Vectors shorter than 2^-17 count as too short.)
  */
 typedef struct qv_camera {
     qv_ray_setup *ray;    /* qv_ray_orthographic or qv_ray_perspective */

@@ -1,7 +1,7 @@
 #include "qvol.h"
 
 #include "fx_wide.h"
-#include "memory.h"
+#include "access.h"
 #include "scalars.h"
 
 #define FACTOR_MAX 64u

@@ -4,7 +4,7 @@
 #ifndef QV_SCALARS_H
 #define QV_SCALARS_H
 
-#include "memory.h"
+#include "access.h"
 #include "qvol.h"
 
 /* Bytes of one value, also its alignment; 0 where the type is unknown. */

@@ -161,9 +161,8 @@ static double length(const double v[3])
 /* Whether a direction is one that a perspective camera renders. */
 static bool usable(const double v[3])
 {
-    const double longest = 8, shortest = 1.0 / 16;
-    return fabs(v[0]) <= longest && fabs(v[1]) <= longest && fabs(v[2]) <= longest &&
-           length(v) >= shortest;
+    const double shortest = 1.0 / 65536;
+    return fabs(v[0]) >= shortest || fabs(v[1]) >= shortest || fabs(v[2]) >= shortest;
 }
 
 static void stored_perspective(ref_ray *ray, const qv_scene *scene, int32_t x, int32_t y)

@@ -1,11 +1,11 @@
 /*
- * memory.h - how voxels, palettes and scalars are read.
+ * access.h - how voxels, palettes and scalars are read.
  *
  * Every such access goes through these functions and qv_at; a port maps them to
  * its program memory (see QV_MEMORY_HEADER in qvol.h) and no kernel changes.
  */
-#ifndef QV_MEMORY_H
-#define QV_MEMORY_H
+#ifndef QV_ACCESS_H
+#define QV_ACCESS_H
 
 #include "qvol.h"
 
