@@ -147,11 +147,11 @@ static void spacing_divides_lengths(void **state)
     expect_vector(camera.along, 0, VOXEL / 2, 0);
     assert_int_equal(qv_perspective(&camera, &f.scene.volume, &view, QUARTER_TURN), QV_OK);
     expect_vector(camera.pace, VOXEL / 8, VOXEL / 2, VOXEL / 4);
-    expect_vector(camera.across, VOXEL / 4, 0, 0); /* directions are in world units */
+    expect_vector(camera.across, VOXEL / 2, 0, 0); /* directions are in world units */
 }
 
-/* At 90 degrees half the frame's height, 2, is the distance of the eye, and
-   a pixel takes 2 / 8 of it. */
+/* At 90 degrees half the frame's height, 2, is the distance of the eye; directions
+   lead to the plane through the centre of the box. */
 static void perspective_camera_in_numbers(void **state)
 {
     const qv_view view = plain_view();
@@ -161,9 +161,9 @@ static void perspective_camera_in_numbers(void **state)
     fixture_volume(&f, QV_STORAGE_RGBA8, 1);
     assert_int_equal(qv_perspective(&camera, &f.scene.volume, &view, QUARTER_TURN), QV_OK);
     expect_vector(camera.origin, 3 * VOXEL, 5 * VOXEL / 2 - 2 * VOXEL, 2 * VOXEL);
-    expect_vector(camera.across, VOXEL / 4, 0, 0);
-    expect_vector(camera.down, 0, 0, -VOXEL / 4);
-    expect_vector(camera.along, -3 * VOXEL / 8, VOXEL, 7 * VOXEL / 8);
+    expect_vector(camera.across, VOXEL / 2, 0, 0);
+    expect_vector(camera.down, 0, 0, -VOXEL / 2);
+    expect_vector(camera.along, -3 * VOXEL / 4, 2 * VOXEL, 7 * VOXEL / 4);
     expect_vector(camera.pace, VOXEL / 4, VOXEL / 4, VOXEL / 4);
     assert_int_equal(camera.step, view.step);
     assert_true(camera.ray == qv_ray_perspective);

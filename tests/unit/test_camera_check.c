@@ -63,7 +63,21 @@ static void vectors_too_long(void **state)
         camera.across[0] = VOXEL;
         expect_limit(&camera, &camera.down[1], VOXEL << 12);
         camera.down[1] = VOXEL;
-        expect_limit(&camera, &camera.along[2], VOXEL << 8);
+        expect_limit(&camera, &camera.along[2], kind == PERSPECTIVE ? VOXEL << 20 : VOXEL << 8);
+    }
+}
+
+/* The eye is at most 2^20 paces off, and at most 2^20 voxels. */
+static void eyes_too_far(void **state)
+{
+    (void)state;
+
+    for (unsigned axis = 0; axis < 3; axis++) {
+        qv_camera camera = by_hand(PERSPECTIVE);
+        camera.pace[axis] = VOXEL / 256;
+        expect_limit(&camera, &camera.origin[axis], VOXEL << 12);
+        camera.pace[axis] = 2 * VOXEL;
+        expect_limit(&camera, &camera.origin[axis], VOXEL << 20);
     }
 }
 
@@ -215,15 +229,11 @@ static void views_are_independent(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_ray_function),
-        cmocka_unit_test(vectors_too_long),
-        cmocka_unit_test(paces_out_of_range),
-        cmocka_unit_test(steps_too_short),
-        cmocka_unit_test(vectors_of_no_length),
-        cmocka_unit_test(a_camera_of_zeros),
-        cmocka_unit_test(parallel_and_coplanar_vectors),
-        cmocka_unit_test(the_least_determinant),
-        cmocka_unit_test(lengths_do_not_matter),
+        cmocka_unit_test(no_ray_function),       cmocka_unit_test(vectors_too_long),
+        cmocka_unit_test(eyes_too_far),          cmocka_unit_test(paces_out_of_range),
+        cmocka_unit_test(steps_too_short),       cmocka_unit_test(vectors_of_no_length),
+        cmocka_unit_test(a_camera_of_zeros),     cmocka_unit_test(parallel_and_coplanar_vectors),
+        cmocka_unit_test(the_least_determinant), cmocka_unit_test(lengths_do_not_matter),
         cmocka_unit_test(views_are_independent),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

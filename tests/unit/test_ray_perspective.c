@@ -148,41 +148,39 @@ static void without_pace_no_samples(void **state)
     assert_int_equal(ray_of(1, 2).samples, 0);
 }
 
-/* Beyond 8 on some axis, of either sign. */
-static void directions_too_long(void **state)
+/* Below 2^-16 on every axis. */
+static void directions_too_short(void **state)
 {
+    const qv_coord least = VOXEL >> 16;
     (void)state;
 
     make_by_hand();
-    for (int32_t sign = -1; sign <= 1; sign += 2) {
-        assert_true(ray_of(sign * 64, 0).samples != 0);
-        assert_int_equal(ray_of(sign * 65, 0).samples, 0);
-        assert_true(ray_of(0, sign * 64).samples != 0);
-        assert_int_equal(ray_of(0, sign * 65).samples, 0);
-        camera->along[2] = sign * 8 * VOXEL;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        camera->along[2] = sign * least;
         assert_true(ray_of(0, 0).samples != 0);
-        camera->along[2] += sign;
+        camera->along[2] = sign * (least - 1);
         assert_int_equal(ray_of(0, 0).samples, 0);
-        camera->along[2] = VOXEL;
+        camera->along[0] = camera->along[2]; /* longer, but not on any axis */
+        assert_int_equal(ray_of(0, 0).samples, 0);
+        assert_true(ray_of(1, 0).samples != 0);
+        camera->along[0] = 0;
     }
 }
 
-/* Below 2^-4 in length: along one axis, and as 3-4-5 of 1/80. */
-static void directions_too_short(void **state)
+/* Only the direction of v counts: lengths of 2^-16 to 2^20 world units. */
+static void lengths_of_directions_do_not_matter(void **state)
 {
-    const qv_coord part = VOXEL / 80 + 1;
     (void)state;
 
-    make_by_hand();
-    camera->along[2] = VOXEL / 16;
-    assert_true(ray_of(0, 0).samples != 0);
-    camera->along[2] -= 32; /* one unit of Q5.27 */
-    assert_int_equal(ray_of(0, 0).samples, 0);
-    camera->along[0] = 3 * part;
-    camera->along[2] = 4 * part;
-    assert_true(ray_of(0, 0).samples != 0);
-    camera->along[0] -= 64;
-    assert_int_equal(ray_of(0, 0).samples, 0);
+    for (int shift = -16; shift <= 20; shift++) {
+        make_by_hand();
+        camera->along[0] = shift < 0 ? VOXEL >> -shift : VOXEL << shift;
+        camera->along[2] = -camera->along[0];
+        const qv_ray ray = ray_of(0, 0);
+        assert_in_range(ray.advance[0], 759250124, 759250128); /* 2^30 / sqrt(2) */
+        assert_true(ray.advance[2] == -ray.advance[0]);
+        assert_true(ray.samples != 0);
+    }
 }
 
 int main(void)
@@ -193,8 +191,8 @@ int main(void)
         cmocka_unit_test(samples_start_at_the_eye),
         cmocka_unit_test(nothing_behind_the_eye),
         cmocka_unit_test(without_pace_no_samples),
-        cmocka_unit_test(directions_too_long),
         cmocka_unit_test(directions_too_short),
+        cmocka_unit_test(lengths_of_directions_do_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
