@@ -30,8 +30,8 @@ static qv_pixel grey_at(uint32_t channel, uint32_t x, uint32_t y)
 
 /* ---- Bytes ---- */
 
-/* A dark red, third of its row; of threshold 0, so that narrow channels round down: 24.3 of
-   31, 24.7 of 63, 6.1 of 31; grey 124.4 of 255, 7.3 of 15. */
+/* The third pixel of a row, at threshold 0, so that narrow channels round down:
+   24.3 of 31, 24.7 of 63, 6.1 of 31; grey 124.4 of 255, 7.3 of 15. */
 static void every_format_in_bytes(void **state)
 {
     static const uint8_t expected[FORMATS][12] = {
