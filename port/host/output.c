@@ -49,6 +49,7 @@ void remove_at_exit(char *path)
         signal(SIGINT, remove_on_signal);
         signal(SIGTERM, remove_on_signal);
         signal(SIGHUP, remove_on_signal);
+        signal(SIGXFSZ, SIG_IGN); /* a limit on the size of files: fwrite fails and says so */
         installed = true;
     }
     while (slot + 1 < TEMPORARY_FILES && temporaries[slot] != NULL) {

@@ -29,8 +29,10 @@ union header {
     nifti_2_header two;
 };
 
+/* What the library would quietly mend or trust. */
 struct geometry {
     int64_t dim[8];
+    double pixdim[8];
     double offset;
     int datatype;
     int bits;
@@ -75,7 +77,7 @@ static znzFile open_file(const struct source *source)
 static void need_bytes(const struct source *source, znzFile file, void *bytes, size_t count)
 {
     if (znzread(bytes, 1, count, file) != count) {
-        data_error(source->name, "header", "the file ends inside the header");
+        data_error(source->name, "header", "damaged, or the file ends inside it");
     }
 }
 
@@ -121,6 +123,7 @@ static void get_geometry(struct geometry *geometry, const union header *header)
     bool first = header->size == 348;
     for (unsigned i = 0; i < 8; i++) {
         geometry->dim[i] = first ? header->one.dim[i] : header->two.dim[i];
+        geometry->pixdim[i] = first ? (double)header->one.pixdim[i] : header->two.pixdim[i];
     }
     geometry->offset = first ? (double)header->one.vox_offset : (double)header->two.vox_offset;
     geometry->datatype = first ? header->one.datatype : header->two.datatype;
@@ -146,11 +149,23 @@ static void check_dimensions(const struct source *source, const int64_t dim[8])
     }
 }
 
+static void check_spacing(const struct source *source, const struct geometry *geometry)
+{
+    for (int i = 1; i <= 3 && i <= geometry->dim[0]; i++) {
+        char field[] = "pixdim[.]";
+        field[7] = (char)('0' + i);
+        if (!isfinite(geometry->pixdim[i]) || geometry->pixdim[i] <= 0) {
+            data_error(source->name, field, "%g is not a length", geometry->pixdim[i]);
+        }
+    }
+}
+
 static void check_geometry(const struct source *source, const union header *header,
                            const struct geometry *geometry)
 {
     unsigned bytes = element_bytes(element_of(geometry->datatype));
     check_dimensions(source, geometry->dim);
+    check_spacing(source, geometry);
     if (element_of(geometry->datatype) == ELEMENT_NONE) {
         data_error(source->name, "datatype", "code %d (colour, complex or 64-bit) cannot be read",
                    geometry->datatype);
@@ -190,7 +205,7 @@ static void set_orientation(struct scan *scan, const nifti_image *image)
         for (unsigned a = 0; a < 3; a++) {
             direction[w][a] = matrix->m[w][a];
         }
-        scan->spacing[w] = fabs(image->pixdim[w + 1]);
+        scan->spacing[w] = image->ndim > w ? image->pixdim[w + 1] : 1;
     }
     if (given && !scan_orient(scan, direction)) {
         data_error(scan->file, image->sform_code > 0 ? "sform" : "qform",
@@ -198,12 +213,10 @@ static void set_orientation(struct scan *scan, const nifti_image *image)
     }
 }
 
-/* A slope of 0 means that values are not scaled. */
+/* A slope of 0 means that values are not scaled; so does one that is not a number
+   (nibabel writes that), which the library turns into 0. */
 static void set_scaling(struct scan *scan, const nifti_image *image)
 {
-    if (!isfinite(image->scl_slope) || !isfinite(image->scl_inter)) {
-        data_error(scan->file, "scl_slope", "slope or intercept is not a number");
-    }
     if (image->scl_slope < 0 || image->scl_slope > 0) {
         scan->slope = image->scl_slope;
         scan->offset = image->scl_inter;

@@ -102,12 +102,14 @@ from volumes import *
 write("scaled.nii", nifti(blob(), slope=-0.5, inter=10))
 write("plain.nii", nifti([10 - v / 2 for v in blob()], code="f"))
 write("zero.nii", nifti(blob(), slope=0, inter=7))
+write("slope.nii", nifti(blob(), slope=float("nan"), inter=float("nan")))
 write("nan.nii", nifti([float("nan") if v < 5 else v for v in blob()], code="f"))'
 "$QVOL" render scaled.nii -o a.pam --size 40x30 --tf surface --window=-110:10
 "$QVOL" render plain.nii -o b.pam --size 40x30 --tf surface --window=-110:10
 check "scl_slope and scl_inter" cmp a.pam b.pam
 differs "scaled values are not the stored ones" a.pam base.pam
 same "a slope of 0 scales nothing" zero.nii
+same "nor does one that is not a number" slope.nii
 same "not a number lies below the window" nan.nii
 "$QVOL" info scaled.nii >info.txt
 check "info tells the scaled range" grep -q 'range  *-67.5 .. 10' info.txt

@@ -1,0 +1,87 @@
+#!/bin/sh
+# Outputs appear whole or not at all.
+. tests/command/common
+cd "$work" || exit 1
+"$PYTHON" "$TESTS/volumes.py" in_12x10x8_uint8.raw
+IN=in_12x10x8_uint8.raw
+SMALL="--size 8x8"
+
+for kind in png pam raw; do
+    # shellcheck disable=SC2086
+    refuses "full disk: $kind" 1 "/dev/full: No space left" "$QVOL" render $IN $SMALL -o /dev/full --as $kind
+done
+refuses "full disk: classify" 1 "/dev/full: No space left" "$QVOL" classify $IN -o /dev/full
+# shellcheck disable=SC2086
+refuses "full disk: report" 1 "/dev/full: No space left" "$QVOL" render $IN $SMALL -o a.png --json=/dev/full
+check "then the picture is not there either" test ! -e a.png
+for command in "--help" "--version" "render --help" "info $IN" "info $IN --json" "render $IN $SMALL -o -" \
+    "classify $IN -o -"; do
+    # shellcheck disable=SC2086
+    "$QVOL" $command >/dev/full 2>.err
+    status=$?
+    [ $status -eq 1 ] && [ "$(wc -l <.err)" -eq 1 ] && grep -q "No space left" .err
+    outcome $? "full disk behind standard output: $command"
+done
+
+# What fills up in the middle: a limit on the size of files, in blocks of 512.
+(
+    ulimit -f 8
+    "$QVOL" render $IN --size 200x200 -o big.raw
+) >said.out 2>said.err
+status=$?
+check "a file that cannot grow: status 1" test $status -eq 1
+check "a file that cannot grow: one line" test "$(wc -l <said.err)" -eq 1
+check "a file that cannot grow: nothing is left" sh -c '! ls big.raw* 2>/dev/null | grep .'
+
+refuses "no such folder" 1 "nowhere/a.png: No such file" "$QVOL" render $IN -o nowhere/a.png
+mkdir folder.png
+refuses "a folder as output" 1 "directory" "$QVOL" render $IN -o folder.png
+
+if [ "$(id -u)" -eq 0 ]; then
+    as_user="setpriv --reuid=65534 --regid=65534 --clear-groups"
+else
+    as_user=
+fi
+chmod 755 "$work"
+mkdir closed
+chmod 555 closed
+cp $IN secret_12x10x8_uint8.raw
+chmod 000 secret_12x10x8_uint8.raw
+# shellcheck disable=SC2086
+refuses "an unreadable input" 1 "secret_12x10x8_uint8.raw: Permission denied" \
+    $as_user "$QVOL" info secret_12x10x8_uint8.raw
+# shellcheck disable=SC2086
+refuses "a folder that may not be written" 1 "closed/a.png: Permission denied" \
+    $as_user "$QVOL" render $IN $SMALL -o closed/a.png
+
+# The output may be the input; an interrupted run leaves the old file.
+cp $IN same_12x10x8_uint8.raw
+check "output over the input" "$QVOL" render same_12x10x8_uint8.raw -o same_12x10x8_uint8.raw --size 8x8
+check "it holds the picture" test "$(wc -c <same_12x10x8_uint8.raw)" -eq 192
+echo before >kept.raw
+"$QVOL" render $IN -o kept.raw --size 8x8 --json=report.json &&
+    check "an old file is replaced" test "$(wc -c <kept.raw)" -eq 192
+umask 027
+"$QVOL" render $IN -o mode.raw --size 8x8
+check "files get the usual permissions" test "$(stat -c %a mode.raw)" = 640
+echo before >kept.raw
+"$QVOL" render $IN -o kept.raw --size 3000x3000 --step 0.0625 --termination 0 --tf fog --threads 1 2>interrupted.err &
+pid=$!
+sleep 0.3
+kill -TERM $pid 2>/dev/null
+wait $pid
+status=$?
+check "an interrupted run ends by its signal" test $status -eq 143
+check "and leaves the old file" grep -q before kept.raw
+check "and no other" sh -c '! ls | grep "\.tmp$"'
+check "progress is silent where standard error is no terminal" sh -c \
+    '"$1" render "$2" -o a.raw --size 8x8 2>&1 | grep -c . | grep -qx 0' - "$QVOL" $IN
+if command -v script >/dev/null; then
+    script -qec "$QVOL render $IN -o a.raw --size 64x64" /dev/null >typescript 2>&1
+    check "progress shows on a terminal" grep -q "rendering 100 %" typescript
+    script -qec "$QVOL render $IN -o a.raw -q --size 64x64" /dev/null >typescript 2>&1
+    check "-q silences it" sh -c '! grep -q rendering typescript'
+else
+    outcome 1 "progress on a terminal: no program 'script'"
+fi
+finish
