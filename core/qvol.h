@@ -187,7 +187,7 @@ void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, in
  */
 typedef struct qv_camera {
     qv_ray_setup *ray;    /* qv_ray_orthographic or qv_ray_perspective */
-    uint32_t step;        /* length of the step in world units, Q16.16 */
+    uint32_t step;        /* length of the step in world units, Q16.16, not 0 */
     qv_coord origin[3];
     qv_coord across[3];
     qv_coord down[3];
@@ -233,9 +233,9 @@ typedef struct qv_view {
  * same view, before its rounding to 1/256 voxel; with that rounding no farther
  * than 1/256 voxel.
  *
- * Return QV_OK or QV_ERROR_NULL, _SIZE, _SPACING, _VIEW (also, in perspective, a
- * frame higher than 65535 world units), _STEP, _CAMERA (rotation out of range). Whether the
- * rotation is degenerate, and whether the eye is in range, qv_init tells.
+ * Return QV_OK or QV_ERROR_NULL, _SPACING, _VIEW (also, in perspective, a frame
+ * higher than 65535 world units), _STEP. Whether the volume's size is in range,
+ * the rotation independent and the eye near enough, qv_init tells.
  */
 qv_status qv_orthographic(qv_camera *camera, const qv_volume *volume, const qv_view *view);
 qv_status qv_perspective(qv_camera *camera, const qv_volume *volume, const qv_view *view,

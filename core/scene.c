@@ -18,6 +18,8 @@ static qv_status check_scene(const qv_scene *scene)
         return QV_ERROR_NULL;
     if (scene->sampling->storage != scene->volume.storage)
         return QV_ERROR_STORAGE;
+    if (scene->camera.step == 0)
+        return QV_ERROR_STEP;
     if (scene->volume.unit_distance != 0 && scene->volume.unit_distance != scene->camera.step)
         return QV_ERROR_UNIT;
     return qv_camera_check(&scene->camera);
