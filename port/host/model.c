@@ -150,6 +150,14 @@ static void refuse_classification(const struct settings *settings)
     }
 }
 
+static void check_palette_size(const struct source *source)
+{
+    if (source->bytes != QV_PALETTE8_BYTES && source->bytes != QV_PALETTE16_BYTES) {
+        data_error(source->name, "palette", "%llu bytes, 256 entries take %d or %d",
+                   (unsigned long long)source->bytes, QV_PALETTE8_BYTES, QV_PALETTE16_BYTES);
+    }
+}
+
 static void read_palette(struct model *model, const struct settings *settings)
 {
     struct source source;
@@ -158,22 +166,19 @@ static void read_palette(struct model *model, const struct settings *settings)
         usage_error("--palette", "data of --type indexed8 need one");
     }
     source_open(&source, settings->palette, QV_PALETTE16_BYTES);
-    if (source.bytes != QV_PALETTE8_BYTES && source.bytes != QV_PALETTE16_BYTES) {
-        data_error(source.name, "palette", "%llu bytes, 256 entries take %d or %d",
-                   (unsigned long long)source.bytes, QV_PALETTE8_BYTES, QV_PALETTE16_BYTES);
-    }
+    check_palette_size(&source);
     model->palette_bytes = (uint32_t)source.bytes;
-    model->palette = allocate(source.bytes, source.name, "palette");
+    model->palette = allocate(model->palette_bytes, source.name, "palette");
     file = fopen(source.path, "rb");
-    if (file == NULL || fread(model->palette, 1, source.bytes, file) != source.bytes) {
+    if (file == NULL || fread(model->palette, model->palette_bytes, 1, file) != 1) {
         system_error(source.name, "palette");
     }
     fclose(file);
     model->storage = QV_STORAGE_INDEXED8;
-    if (source.bytes == QV_PALETTE16_BYTES) {
+    if (model->palette_bytes == QV_PALETTE16_BYTES) {
         model->storage = QV_STORAGE_INDEXED8_16;
         if (settings->big_endian != machine_is_big_endian()) {
-            swap_words(model->palette, source.bytes, 2);
+            swap_words(model->palette, model->palette_bytes, 2);
         }
     }
 }

@@ -41,7 +41,8 @@ void model_reduce(struct model *model, const uint8_t factor[3])
         total *= reduced.size[a];
     }
     values = allocate(total, model->scan.file, "data");
-    check_status(qv_reduce(values, total, scalars, factor, 0, reduced.size[2]), model, "reduction");
+    check_status(qv_reduce(values, (size_t)total, scalars, factor, 0, reduced.size[2]), model,
+                 "reduction");
     normalise_spacing(model, &reduced);
     reduced.values = values;
     reduced.values_bytes = total;

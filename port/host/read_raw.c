@@ -85,7 +85,7 @@ static void read_values(struct scan *scan, const struct source *source, uint64_t
     if (file == NULL || fseeko(file, (off_t)skip, SEEK_SET) != 0) {
         system_error(source->name, NULL);
     }
-    if (fread(scan->values, 1, scan->bytes, file) != scan->bytes) {
+    if (fread(scan->values, (size_t)scan->bytes, 1, file) != 1) { /* in memory, so in size_t */
         data_error(source->name, "data", "cannot be read to the end");
     }
     fclose(file);

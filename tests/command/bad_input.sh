@@ -116,24 +116,15 @@ write("long.raw", data + b"\0")
 write("empty.raw")
 END
 check "files are made" "$PYTHON" make.py
-before=$(ls | wc -l)
 cat >untouched.pam <<'END'
 what stood there before
 END
 cp untouched.pam out.pam
 # Absurd sizes must not be allocated: 512 MiB are plenty for these files.
-limited() {
-    (
-        ulimit -v 524288
-        exec "$@"
-    )
-}
-render() {
-    limited "$QVOL" render "$1" -o out.pam --tf surface --size 8x8
-}
 count=0
 for file in *.nii *.nii.gz *.nrrd *.nhdr; do
     name=$file
+    # shellcheck disable=SC3045
     timeout 20 sh -c 'ulimit -v 524288; exec "$1" render "$2" -o out.pam --size 8x8 --threads 1' - "$QVOL" "$file" \
         >.out 2>.err </dev/null
     status=$?

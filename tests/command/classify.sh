@@ -19,7 +19,7 @@ round_trip() { # round_trip NAME TYPE STORAGE-OPTIONS -- OPTIONS-TO-READ
     "$QVOL" classify $IN -o voxels.bin --tf surface $storage
     # shellcheck disable=SC2086
     "$QVOL" render voxels.bin --dims 12x10x8 --type "$type" -o a.raw $VIEW "$@"
-    # shellcheck disable=SC2086
+    # shellcheck disable=SC2086,SC2046
     "$QVOL" render $IN -o b.raw --tf surface $VIEW $(echo "$storage" | sed 's/--endian [a-z]*//')
     check "round trip: $name" cmp a.raw b.raw
 }
