@@ -55,8 +55,8 @@ static void expect_clip(const qv_ray *ray, const uint16_t size[3], int32_t first
     }
 }
 
-/* Up to 20 voxels away, in steps of a size of its own: whole halves of a voxel, which meet the faces
-   exactly, or anything. Some axes stand still. */
+/* From up to 20 voxels away. In steps of anything, or of whole halves of a voxel,
+   which meet the faces exactly. Some axes stand still. */
 static qv_ray random_ray(uint32_t *seed)
 {
     const int exact = random_below(seed, 2) != 0;
