@@ -8,9 +8,8 @@ static void finish(qv_pixel *pixel, const qv_light *light, const qv_context *con
 {
     uint32_t transmittance = light->transmittance; /* Q1.31, so 2 * level * T / 2^32 */
     uint32_t covered = QV_LEVEL_ONE - fx_high_product(transmittance, QV_LEVEL_ONE << 1);
+    /* background[3] <= 2 * QV_LEVEL_ONE, so no more is added than was taken away */
     uint32_t opacity = covered + fx_high_product(transmittance, context->background[3]);
-    if (opacity > QV_LEVEL_ONE)
-        opacity = QV_LEVEL_ONE;
     for (unsigned c = 0; c < 3; c++) {
         uint32_t level = fx_high_product(light->colour[c], context->scene.sampling->read_out) +
                          fx_high_product(transmittance, context->background[c]);
