@@ -97,17 +97,20 @@ static void write_voxels(struct target *target, const struct model *model)
 }
 
 /* OUT.palette, beside the voxels. */
-static void write_palette(output *out, const struct model *model, const struct settings *settings)
+static void write_palette(const struct model *model, const struct settings *settings)
 {
+    output out;
     size_t bytes = strlen(settings->output) + sizeof ".palette";
     char *name = allocate(bytes, settings->output, NULL);
     bool swap = settings->big_endian != machine_is_big_endian();
     snprintf(name, bytes, "%s.palette", settings->output);
-    output_open(out, name);
+    output_open(&out, name);
     if (swap && model->palette_bytes == QV_PALETTE16_BYTES) {
         swap_words(model->palette, model->palette_bytes, 2);
     }
-    output_write(out, model->palette, model->palette_bytes);
+    output_write(&out, model->palette, model->palette_bytes);
+    output_commit(&out);
+    free(name);
 }
 
 static void check_settings(const struct settings *settings)
@@ -123,8 +126,6 @@ static void check_settings(const struct settings *settings)
 static void export(struct model *model, const struct settings *settings)
 {
     struct target target;
-    output palette;
-    bool beside;
     memset(&target, 0, sizeof target);
     target.is_array = has_ending(settings->output, ".c") || has_ending(settings->output, ".h");
     target.swap =
@@ -137,10 +138,8 @@ static void export(struct model *model, const struct settings *settings)
     if (target.is_array) {
         flash_array_end(&target.array);
     }
-    beside = !target.is_array && model->palette != NULL && !is_standard_stream(settings->output);
-    if (beside) {
-        write_palette(&palette, model, settings);
-        output_commit(&palette);
+    if (!target.is_array && model->palette != NULL && !is_standard_stream(settings->output)) {
+        write_palette(model, settings);
     }
     output_commit(&target.out);
 }
@@ -155,5 +154,6 @@ int command_classify(const struct settings *settings)
     }
     reduce(&model, settings);
     export(&model, settings);
+    model_free(&model);
     return EXIT_SUCCESS;
 }

@@ -79,5 +79,7 @@ int command_render(const struct settings *settings)
         output_commit(&report);
     }
     output_commit(&picture);
+    frame_free(&frame);
+    model_free(&model);
     return EXIT_SUCCESS;
 }

@@ -89,6 +89,11 @@ void frame_create(struct frame *frame, const struct settings *settings)
     frame->bytes = allocate(frame->byte_count, "frame", "size");
 }
 
+void frame_free(struct frame *frame)
+{
+    free(frame->bytes);
+}
+
 static double seconds_now(void)
 {
     struct timespec now;

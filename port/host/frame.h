@@ -22,6 +22,8 @@ struct frame {
 /* Size, format and memory; usage errors of --format and --strip come here. */
 void frame_create(struct frame *frame, const struct settings *settings);
 
+void frame_free(struct frame *frame);
+
 void frame_render(struct frame *frame, const qv_scene *scene, const struct settings *settings);
 
 #endif

@@ -208,3 +208,16 @@ void model_read(struct model *model, const struct settings *settings, const char
         }
     }
 }
+
+void model_free(struct model *model)
+{
+    if (model->mask != NULL) {
+        model_free(model->mask);
+        free(model->mask);
+    }
+    if (model->palette != model->table) {
+        free(model->palette);
+    }
+    free(model->voxels);
+    free(model->scan.values);
+}

@@ -18,6 +18,7 @@ struct model {
     bool shaded;
     qv_classifier classifier;
     qv_storage storage;
+    void *voxels;  /* that model_volume classified; else null */
     void *palette; /* of indexed storage; else null */
     uint32_t palette_bytes;
     double world_unit;  /* in the file's unit */
@@ -28,11 +29,13 @@ struct model {
 void model_read(struct model *model, const struct settings *settings, const char *name,
                 qv_storage default_storage);
 
+void model_free(struct model *model);
+
 /* Replaces the scalars by means over boxes. */
 void model_reduce(struct model *model, const uint8_t factor[3]);
 
 /* Classifies everything (on the settings' threads), or takes the voxels of the file, and fills the
-   descriptor. The voxels live as long as the program. */
+   descriptor. The voxels live as long as the model. */
 void model_volume(qv_volume *volume, struct model *model, const struct settings *settings);
 
 /* Classifies slices first <= z < end into tightly packed voxels; bytes is their size. */

@@ -44,6 +44,8 @@ void model_reduce(struct model *model, const uint8_t factor[3])
     check_status(qv_reduce(values, (size_t)total, scalars, factor, 0, reduced.size[2]), model,
                  "reduction");
     normalise_spacing(model, &reduced);
+    free(model->scan.values);
+    model->scan.values = values;
     reduced.values = values;
     reduced.values_bytes = total;
     *scalars = reduced;
@@ -110,8 +112,7 @@ static void classify_slice(void *context, uint32_t z)
                    z + 1);
 }
 
-static void classify_volume(qv_volume *volume, const struct model *model,
-                            const struct settings *settings)
+static void classify_volume(qv_volume *volume, struct model *model, const struct settings *settings)
 {
     const qv_scalars *scalars = &model->classifier.scalars;
     unsigned bytes = storage_voxel_bytes(model->storage);
@@ -121,6 +122,7 @@ static void classify_volume(qv_volume *volume, const struct model *model,
     volume->voxels_bytes = (uint64_t)slices.slice_bytes * scalars->size[2];
     slices.voxels = allocate(volume->voxels_bytes, model->scan.file, "voxels");
     parallel_run(&work);
+    model->voxels = slices.voxels;
     volume->voxels = slices.voxels;
     memcpy(volume->size, scalars->size, sizeof volume->size);
     memcpy(volume->spacing, scalars->spacing, sizeof volume->spacing);

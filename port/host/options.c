@@ -69,6 +69,16 @@ static const struct option_spec *spec_of(int value)
     return spec;
 }
 
+/* What getopt_long refused: a letter may stand amid others in one word. */
+static void refuse_option(int value, char **argv) __attribute__((noreturn));
+static void refuse_option(int value, char **argv)
+{
+    const char letter[] = {'-', (char)optopt, '\0'};
+    bool is_letter = optopt > 0 && optopt < HELP_VALUE;
+    usage_error(is_letter ? letter : argv[optind - 1],
+                value == ':' ? "needs a value" : "unknown, ambiguous or with a value too many");
+}
+
 static void read_option(struct settings *settings, const struct command *command, int value,
                         char **argv)
 {
@@ -81,8 +91,7 @@ static void read_option(struct settings *settings, const struct command *command
         print_version();
     }
     if (value == '?' || value == ':') {
-        usage_error(argv[optind - 1],
-                    value == ':' ? "needs a value" : "unknown, ambiguous or with a value too many");
+        refuse_option(value, argv);
     }
     spec = spec_of(value);
     snprintf(option, sizeof option, "--%s", spec->name);

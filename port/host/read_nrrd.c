@@ -135,7 +135,7 @@ static void set_geometry(struct scan *scan, const Nrrd *nrrd)
     world_signs(nrrd->space, sign);
     for (unsigned a = 0; a < 3; a++) {
         const NrrdAxisInfo *axis = &nrrd->axis[a];
-        scan->size[a] = axis->size <= QV_AXIS_MAX ? (uint32_t)axis->size : UINT32_MAX;
+        scan->size[a] = axis->size < UINT32_MAX ? (uint32_t)axis->size : UINT32_MAX;
         scan->spacing[a] = isnan(axis->spacing) ? 1 : fabs(axis->spacing);
         for (unsigned w = 0; w < 3; w++) {
             direction[w][a] = sign[w] * axis->spaceDirection[w];

@@ -12,6 +12,14 @@ program=$work/qvol
 check "builds with sanitizers" "$CC" -std=c99 -O1 -g -fsanitize=address,undefined \
     -fno-sanitize-recover=all -Ifixedpoint core/*.c fixedpoint/*.c $flags -o "$program"
 cd "$work" || exit 1
+"$PYTHON" "$TESTS/volumes.py" in_12x10x8_uint8.raw
+IN=in_12x10x8_uint8.raw
+for command in "info $IN" "render $IN -o a.pam --shade --mask $IN --mask-tf fog --json=a.json" \
+    "render $IN -o a.raw --storage indexed8" "compare a.pam a.pam -o d.pam" "classify $IN -o a.h --fit 1500" \
+    "classify $IN -o a.bin --reduce 2x1x3"; do
+    # shellcheck disable=SC2086
+    check "no leak: $command" "$program" $command
+done
 cat >fuzz.py <<'END'
 """fuzz.py PROGRAM COUNT: runs seeded mutations, prints what went wrong."""
 import os

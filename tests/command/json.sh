@@ -132,6 +132,16 @@ assert whole(*r["shading"]["light"], *r["shading"]["viewer"], r["shading"]["glos
 assert r["frame"]["bytes"] == 24 * 20 * 2 and len(r["frame"]["crc32"]) == 8
 s = r["statistics"]
 assert s["samples"] > s["skipped"] >= 0 and s["rays"] == 480 and s["seconds"] >= 0'
+"$QVOL" render in_12x10x8_uint8.raw -o a.raw --size 24x20 --mask in_12x10x8_uint8.raw --mask-tf surface \
+    --json >mask.json
+check "the mask is reported as the input is" "$PYTHON" -c '
+import json
+r = json.load(open("mask.json"))
+assert r["mask"]["transfer"]["name"] == "surface" and r["transfer"]["name"] == "grey"
+assert r["mask"]["scalars"] == r["scalars"] and len(r["mask"]["transfer"]["table"]) == 256'
+"$QVOL" render in_12x10x8_uint8.raw -o - --size 24x20 --json=report.json >picture.pam
+check "picture on standard output, report in a file" sh -c \
+    'head -c 2 picture.pam | grep -q P7 && "$1" -m json.tool report.json' - "$PYTHON"
 printf 'no UTF-8: \377 "quoted" \\' >name
 cp in_12x10x8_uint8.raw "$(cat name)_12x10x8_uint8.raw"
 "$QVOL" render "$(cat name)_12x10x8_uint8.raw" -o a.raw --size 8x8 --json >odd.json

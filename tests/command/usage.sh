@@ -26,7 +26,8 @@ check "every option is in the help:$missing" test -z "$missing"
 refuses "no command" 2 "none given" "$QVOL"
 refuses "unknown command" 2 "unknown command" "$QVOL" draw
 refuses "unknown option" 2 "--colour: unknown" "$QVOL" render $IN -o a.pam --colour
-refuses "unknown letter" 2 "unknown" "$QVOL" render $IN -o a.pam -x
+refuses "unknown letter" 2 ": -x: unknown" "$QVOL" render $IN -o a.pam -x
+refuses "unknown letter after another" 2 ": -x: unknown" "$QVOL" render $IN -o a.pam -qx
 refuses "option of another command" 2 "unknown" "$QVOL" info $IN --zoom 2
 refuses "no value" 2 "needs a value" "$QVOL" render $IN -o a.pam --zoom
 refuses "no input" 2 "0 given" "$QVOL" render -o a.pam
