@@ -92,19 +92,12 @@ static void S26_background(void **state)
     }
 }
 
-/* Modes and a format of the test's own: the light that a ray brings, written out, and
-   the channels of the pixel as they are. */
-static void light8(qv_light *light, qv_ray *ray, const qv_context *context)
-{
-    static const qv_light gathered = {{113358066, 1011272452, 183816331}, 801354235, 0, 0};
-    (void)ray;
-    (void)context;
-    *light = gathered;
-}
+/* A sampling mode and a format of the test's own: what a ray gathers is written out
+   below, and the pixel's channels are stored as they are. */
+static qv_light gathered;
 
-static void light16(qv_light *light, qv_ray *ray, const qv_context *context)
+static void gather(qv_light *light, qv_ray *ray, const qv_context *context)
 {
-    static const qv_light gathered = {{114296125, 1019299184, 185311727}, 801262030, 0, 0};
     (void)ray;
     (void)context;
     *light = gathered;
@@ -121,27 +114,37 @@ static void expect_channels(const qv_sampling *sampling, const uint8_t backgroun
                             const uint32_t expected[4])
 {
     static const qv_format channels = {store_channels, 128, 0};
+    const qv_sampling mode = {gather, sampling->read_out, sampling->storage};
     const qv_rect rect = {x, 0, x + 1, 1};
     uint32_t pixel[4];
     const qv_image image = {pixel, sizeof pixel, sizeof pixel, &channels};
     qv_context context = background_context(background);
-    context.scene.sampling = sampling;
+    context.scene.sampling = &mode;
     assert_int_equal(qv_render(&image, &context, &rect), QV_OK);
     assert_memory_equal(pixel, expected, sizeof pixel);
 }
 
 static void S27_read_out(void **state)
 {
+    static const qv_light narrow = {{113358066, 1011272452, 183816331}, 801354235, 0, 0};
+    static const qv_light wide = {{114296125, 1019299184, 185311727}, 801262030, 0, 0};
+    static const qv_light full_narrow = {{2130739199, 2130739136, 0}, 0, 0, 0};
+    static const qv_light full_wide = {{2147418112, 2147418049, 0}, 0, 0, 0};
     static const uint8_t none[4] = {0, 0, 0, 0};
     static const uint32_t on_pink[4] = {3344212, 8054305, 2546505, 13605845};
     static const uint32_t alone[4] = {889478, 7932410, 1442137, 10476273};
+    static const uint32_t full[4] = {16711680, 16711679, 0, 16711680};
     static const uint32_t empty[4] = {6579300, 328965, 2960685, 8388608};
-    const qv_sampling mode8 = {light8, qv_weighted_rgba8.read_out, QV_STORAGE_RGBA8};
-    const qv_sampling mode16 = {light16, qv_weighted_rgba16.read_out, QV_STORAGE_RGBA16};
     (void)state;
-    expect_channels(&mode8, pink, 0, on_pink);
-    expect_channels(&mode16, none, 0, alone);
-    expect_channels(&mode8, pink, 9, empty); /* beside the box */
+    gathered = narrow;
+    expect_channels(&qv_weighted_rgba8, pink, 0, on_pink);
+    expect_channels(&qv_weighted_rgba8, pink, 9, empty); /* beside the box */
+    gathered = full_narrow;
+    expect_channels(&qv_weighted_rgba8, none, 0, full);
+    gathered = wide;
+    expect_channels(&qv_weighted_rgba16, none, 0, alone);
+    gathered = full_wide;
+    expect_channels(&qv_weighted_rgba16, none, 0, full);
 }
 
 /* ---- Pixel formats ------------------------------------------------------------ */
@@ -195,6 +198,8 @@ static void S28_dither(void **state)
     assert_int_equal(red5(8388608, 0, 0), 15);
     assert_int_equal(red5(8388608, 1, 7), 16);
     assert_int_equal(red5(8388608, 0, 7), 16);
+    assert_int_equal(red5(534874, 0, 0), 0);
+    assert_int_equal(red5(534875, 0, 0), 1);
     assert_int_equal(most_green6(16711680), 63);
     assert_int_equal(most_green6(0), 0);
 }
@@ -202,6 +207,8 @@ static void S28_dither(void **state)
 static void S29_formats(void **state)
 {
     static const qv_pixel pixel = {{3000000, 9999999, 16000000, 16711680}, 11, 2};
+    static const qv_pixel dark = {{32767, 32767, 32772, 16711680}, 0, 0};
+    uint8_t grey;
     static const struct {
         const qv_format *format;
         uint8_t bytes[8];
@@ -223,6 +230,8 @@ static void S29_formats(void **state)
         examples[i].format->store(bytes, 1, 2, &pixel);
         assert_memory_equal(bytes, examples[i].bytes, sizeof bytes);
     }
+    qv_format_l8.store(&grey, 0, 0, &dark);
+    assert_int_equal(grey, 1);
 }
 
 /* ---- A picture ---------------------------------------------------------------- */

@@ -121,6 +121,25 @@ static void S35_shading(void **state)
     expect_vector(dark, 15625, 6250, 20480);
 }
 
+/* Numbers for which every rounding of the highlight shows. */
+static void S35_roundings_of_the_highlight(void **state)
+{
+    static const qv_shading shading = {.light = {-531, 944, -370},
+                                       .viewer = {-84, -32, -12},
+                                       .ambient = 177,
+                                       .diffuse = 21,
+                                       .specular = 41,
+                                       .gloss = 4};
+    static const int32_t slope[3] = {270, -252, -85};
+    uint16_t lit[4] = {10982, 23195, 59214, 7};
+    qv_shader shader;
+    (void)state;
+    assert_int_equal(qv_shader_init(&shader, &shading, spacing, 1000), QV_OK);
+    expect_vector(shader.half, -971074740, 329636004, -318238055);
+    qv_shade(lit, &shader, slope);
+    expect_vector(lit, 8290, 17386, 44209);
+}
+
 static void S36_reduction(void **state)
 {
     static const int16_t values[6] = {-5, -2, 4, 9, -30000, 32767};
@@ -143,7 +162,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(S31_transfer_table), cmocka_unit_test(S32_index),
         cmocka_unit_test(S33_least_gradient), cmocka_unit_test(S34_unit_vectors),
-        cmocka_unit_test(S35_shading),        cmocka_unit_test(S36_reduction),
+        cmocka_unit_test(S35_shading),        cmocka_unit_test(S35_roundings_of_the_highlight),
+        cmocka_unit_test(S36_reduction),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
