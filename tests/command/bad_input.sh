@@ -125,7 +125,7 @@ count=0
 for file in *.nii *.nii.gz *.nrrd *.nhdr; do
     name=$file
     # shellcheck disable=SC3045
-    timeout 20 sh -c 'ulimit -v 524288; exec "$1" render "$2" -o out.pam --size 8x8 --threads 1' - "$QVOL" "$file" \
+    timeout 20 sh -c 'ulimit -v ${MEMORY_KB:-524288}; exec "$1" render "$2" -o out.pam --size 8x8 --threads 1' - "$QVOL" "$file" \
         >.out 2>.err </dev/null
     status=$?
     good=0
