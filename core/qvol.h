@@ -63,7 +63,7 @@ extern "C" {
 #define QV_VERSION_MAJOR 0
 #define QV_VERSION_MINOR 1
 #define QV_VERSION_PATCH 0
-#define QV_VERSION "0.1.0"
+#define QV_VERSION       "0.1.0"
 
 /* ---- Memory ------------------------------------------------------------- */
 
@@ -84,23 +84,23 @@ typedef ptrdiff_t qv_offset;
 
 typedef enum qv_status {
     QV_OK = 0,
-    QV_MORE = 1,               /* not an error: bounded work remains to be done */
-    QV_ERROR_NULL = -1,        /* a required pointer is null */
-    QV_ERROR_STORAGE = -2,     /* unknown storage, or not the one the sampling mode reads */
-    QV_ERROR_SIZE = -3,        /* an axis is 0 or longer than QV_AXIS_MAX */
-    QV_ERROR_STRIDE = -4,      /* strides overlap, are odd for 16-bit data, or leave the memory given */
-    QV_ERROR_PALETTE = -5,     /* palette missing, or not of 256 entries */
-    QV_ERROR_SPACING = -6,     /* spacing outside 1/16 .. 16 */
-    QV_ERROR_STEP = -7,        /* step out of range */
-    QV_ERROR_UNIT = -8,        /* unit distance differs from the step */
-    QV_ERROR_CAMERA = -9,      /* matrix degenerate or out of range */
-    QV_ERROR_VIEW = -10,       /* frame size, pitch or field of view out of range */
-    QV_ERROR_RECT = -11,       /* rectangle empty or outside +-QV_PIXEL_MAX */
-    QV_ERROR_BUFFER = -12,     /* output buffer too small, or rows overlap */
-    QV_ERROR_TRANSFER = -13,   /* control points out of order, or none */
-    QV_ERROR_WINDOW = -14,     /* window of scalar values is empty or out of range */
-    QV_ERROR_LIGHT = -15,      /* shading: zero vector or coefficient out of range */
-    QV_ERROR_RESERVED = -16    /* a field that must be zero is not */
+    QV_MORE = 1,             /* not an error: bounded work remains to be done */
+    QV_ERROR_NULL = -1,      /* a required pointer is null */
+    QV_ERROR_STORAGE = -2,   /* unknown storage, or not the one the sampling mode reads */
+    QV_ERROR_SIZE = -3,      /* an axis is 0 or longer than QV_AXIS_MAX */
+    QV_ERROR_STRIDE = -4,    /* strides overlap, are odd for 16-bit data, or leave the memory */
+    QV_ERROR_PALETTE = -5,   /* palette missing, or not of 256 entries */
+    QV_ERROR_SPACING = -6,   /* spacing outside 1/16 .. 16 */
+    QV_ERROR_STEP = -7,      /* step out of range */
+    QV_ERROR_UNIT = -8,      /* unit distance differs from the step */
+    QV_ERROR_CAMERA = -9,    /* matrix degenerate or out of range */
+    QV_ERROR_VIEW = -10,     /* frame size, pitch or field of view out of range */
+    QV_ERROR_RECT = -11,     /* rectangle empty or outside +-QV_PIXEL_MAX */
+    QV_ERROR_BUFFER = -12,   /* output buffer too small, or rows overlap */
+    QV_ERROR_TRANSFER = -13, /* control points out of order, or none */
+    QV_ERROR_WINDOW = -14,   /* window of scalar values is empty or out of range */
+    QV_ERROR_LIGHT = -15,    /* shading: zero vector or coefficient out of range */
+    QV_ERROR_RESERVED = -16  /* a field that must be zero is not */
 } qv_status;
 
 /* One line of English for a status, never null; also for values not listed. */
@@ -111,9 +111,9 @@ const char *qv_version(void);
 
 /* ---- Volumes ------------------------------------------------------------ */
 
-#define QV_AXIS_MAX 4096
+#define QV_AXIS_MAX        4096
 #define QV_PALETTE_ENTRIES 256
-#define QV_PALETTE8_BYTES 1024  /* 256 RGBA8 entries */
+#define QV_PALETTE8_BYTES  1024 /* 256 RGBA8 entries */
 #define QV_PALETTE16_BYTES 2048 /* 256 RGBA16 entries */
 
 /* A length or ratio with 16 fraction bits: 65536 is 1. */
@@ -161,8 +161,10 @@ struct qv_context;
 struct qv_ray;
 
 /* Makes the ray of a pixel; the library's own are the two below. */
-typedef void qv_ray_setup(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y);
-void qv_ray_orthographic(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y);
+typedef void qv_ray_setup(struct qv_ray *ray, const struct qv_context *context, int32_t x,
+                          int32_t y);
+void qv_ray_orthographic(struct qv_ray *ray, const struct qv_context *context, int32_t x,
+                         int32_t y);
 void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y);
 
 /*
@@ -186,13 +188,13 @@ void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, in
  * least 2^-14 in magnitude. (Vectors shorter than 2^-17 count as too short.)
  */
 typedef struct qv_camera {
-    qv_ray_setup *ray;    /* qv_ray_orthographic or qv_ray_perspective */
-    uint32_t step;        /* length of the step in world units, Q16.16, not 0 */
+    qv_ray_setup *ray; /* qv_ray_orthographic or qv_ray_perspective */
+    uint32_t step;     /* length of the step in world units, Q16.16, not 0 */
     qv_coord origin[3];
     qv_coord across[3];
     qv_coord down[3];
     qv_coord along[3];
-    qv_coord pace[3];     /* perspective: step by spacing, voxels per step; orthographic: 0 */
+    qv_coord pace[3]; /* perspective: step by spacing, voxels per step; orthographic: 0 */
 } qv_camera;
 
 /*
@@ -212,8 +214,8 @@ void qv_rotation(int32_t rotation[3][3], qv_angle azimuth, qv_angle elevation, q
 typedef struct qv_view {
     int32_t rotation[3][3]; /* rows right, down, forward, Q2.30; from qv_rotation or the caller's
                                own: components at most 1 in magnitude */
-    uint32_t pitch;         /* world units from pixel to pixel, at the volume's centre in perspective;
-                               Q16.16, 2^-12 .. 2^8 */
+    uint32_t pitch;         /* world units from pixel to pixel, in perspective at the volume's
+                               centre; Q16.16, 2^-12 .. 2^8 */
     uint32_t step;          /* world units from sample to sample, Q16.16, 1/16 .. 16 */
     uint16_t width;         /* of the whole frame in pixels, 1 .. QV_PIXEL_MAX */
     uint16_t height;
@@ -305,13 +307,13 @@ typedef struct qv_format {
                            qv_format_mono_vertical, else 0 */
 } qv_format;
 
-extern const qv_format qv_format_rgba8888;    /* R, G, B, A; associated colour */
-extern const qv_format qv_format_bgra8888;    /* B, G, R, A; associated colour */
-extern const qv_format qv_format_rgb888;      /* R, G, B */
-extern const qv_format qv_format_rgb565_le;   /* 16 bits, R in the highest 5; low byte first */
-extern const qv_format qv_format_rgb565_be;   /* the same; high byte first */
-extern const qv_format qv_format_l8;          /* grey */
-extern const qv_format qv_format_grey4;       /* two pixels a byte, the left one in the high bits */
+extern const qv_format qv_format_rgba8888;  /* R, G, B, A; associated colour */
+extern const qv_format qv_format_bgra8888;  /* B, G, R, A; associated colour */
+extern const qv_format qv_format_rgb888;    /* R, G, B */
+extern const qv_format qv_format_rgb565_le; /* 16 bits, R in the highest 5; low byte first */
+extern const qv_format qv_format_rgb565_be; /* the same; high byte first */
+extern const qv_format qv_format_l8;        /* grey */
+extern const qv_format qv_format_grey4;     /* two pixels a byte, the left one in the high bits */
 extern const qv_format qv_format_mono_horizontal; /* 8 pixels a byte, the leftmost in the MSB */
 extern const qv_format qv_format_mono_vertical;   /* 8 rows a byte, the topmost in the LSB */
 
