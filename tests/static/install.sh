@@ -1,0 +1,76 @@
+#!/bin/sh
+# `make install`: what it puts where, and that a program of ten lines builds and runs
+# with nothing but what pkg-config tells.
+set -eu
+: "${CC:=cc}"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+unset MAKEFLAGS MFLAGS MAKELEVEL # of a make that runs this script
+prefix=$work/prefix
+number=0
+failed=0
+
+runs() { # runs NAME COMMAND...
+    name=$1
+    shift
+    number=$((number + 1))
+    if "$@" >"$work/log" 2>&1; then
+        echo "ok $number - $name"
+    else
+        failed=1
+        echo "not ok $number - $name"
+        sed 's/^/# /' "$work/log"
+    fi
+}
+
+cat >"$work/list" <<'END'
+bin/qvol
+include/qvol.h
+lib/libqvol.a
+lib/pkgconfig/qvol.pc
+END
+
+cat >"$work/program.c" <<'END'
+#include <qvol.h>
+#include <stdio.h>
+int main(void)
+{
+    qv_volume empty = {0};
+    printf("%s\n", qv_version());
+    return qv_volume_check(&empty) == QV_ERROR_NULL ? 0 : 1;
+}
+END
+
+installs() { # installs VARIABLE=VALUE...
+    make -s BUILD="${BUILD:-build}" install "$@"
+}
+
+listed() {
+    (cd "$prefix" && find . -type f | sed 's|^\./||' | sort) | diff "$work/list" -
+}
+
+compiles() {
+    # shellcheck disable=SC2046
+    "$CC" -std=c99 "$work/program.c" $(pkg-config --cflags --libs qvol) -o "$work/program"
+}
+
+one_version() {
+    version=$(pkg-config --modversion qvol)
+    echo "pkg-config: $version"
+    "$work/program" | grep -Fx "$version" && "$prefix/bin/qvol" --version | grep -Fx "qvol $version"
+}
+
+# DESTDIR goes before the prefix and leaves no trace in what is installed.
+staged() {
+    installs DESTDIR="$work/stage" PREFIX=/opt/qvol && [ -x "$work/stage/opt/qvol/bin/qvol" ] &&
+        grep -Fx 'prefix=/opt/qvol' "$work/stage/opt/qvol/lib/pkgconfig/qvol.pc"
+}
+
+export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
+runs "make install" installs PREFIX="$prefix"
+runs "header, archive, pkg-config file and command, nothing else" listed
+runs "a program compiles with what pkg-config tells" compiles
+runs "program, command and pkg-config name one version" one_version
+runs "make install with DESTDIR" staged
+echo "1..$number"
+exit $failed
