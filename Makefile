@@ -105,7 +105,7 @@ install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL)) ## header, archive, p
 	install -d $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/lib/pkgconfig
 	install -m 644 core/qvol.h $(DESTDIR)$(PREFIX)/include/qvol.h
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib/libqvol.a
-	version=$$(sed -n 's/^#define QV_VERSION "\(.*\)"/\1/p' core/qvol.h) && \
+	version=$$(sed -n 's/^#define QV_VERSION  *"\(.*\)"/\1/p' core/qvol.h) && \
 	sed -e "s|@PREFIX@|$(PREFIX)|" -e "s|@VERSION@|$$version|" toolchain/qvol.pc.in \
 		> $(DESTDIR)$(PREFIX)/lib/pkgconfig/qvol.pc
 ifeq ($(TARGET),host)
