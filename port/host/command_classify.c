@@ -15,6 +15,7 @@
 #define STRIP_BYTES (4u << 20)
 #define FACTOR_MOST 64
 
+/* Bytes of voxels and palette after a reduction: at most 2^36 * 8 + 2^11. */
 static uint64_t bytes_after(const struct model *model, const uint8_t factor[3])
 {
     uint64_t bytes = storage_voxel_bytes(model->storage);
@@ -33,6 +34,7 @@ static void factors_of_edge(uint8_t factor[3], const struct model *model, unsign
     }
 }
 
+/* The first, hence smallest, factors with which everything fits. */
 static void fit(uint8_t factor[3], const struct model *model, uint64_t most)
 {
     for (unsigned edge = 1; edge <= FACTOR_MOST; edge++) {
@@ -45,6 +47,7 @@ static void fit(uint8_t factor[3], const struct model *model, uint64_t most)
                (unsigned long long)most);
 }
 
+/* By --fit or --reduce; without either nothing changes. */
 static void reduce(struct model *model, const struct settings *settings)
 {
     uint8_t factor[3];
@@ -68,6 +71,7 @@ struct target {
     struct flash_array array;
 };
 
+/* The strip may be swapped in place: it is not needed again. */
 static void write_strip(struct target *target, void *voxels, size_t bytes)
 {
     if (target->is_array) {
@@ -80,6 +84,7 @@ static void write_strip(struct target *target, void *voxels, size_t bytes)
     output_write(&target->out, voxels, bytes);
 }
 
+/* Only one strip of classified voxels is in memory at a time. */
 static void write_voxels(struct target *target, const struct model *model)
 {
     const qv_scalars *scalars = &model->classifier.scalars;
@@ -113,6 +118,7 @@ static void write_palette(const struct model *model, const struct settings *sett
     free(name);
 }
 
+/* What can be refused before anything is read. */
 static void check_settings(const struct settings *settings)
 {
     if (settings->output == NULL) {

@@ -33,6 +33,7 @@ static const char *channel_name(unsigned channels, unsigned channel)
     return names[channels][channel];
 }
 
+/* Pictures of different kinds have no difference that means anything. */
 static void check_alike(const struct picture *a, const struct picture *b,
                         const struct settings *settings)
 {
@@ -43,6 +44,7 @@ static void check_alike(const struct picture *a, const struct picture *b,
     }
 }
 
+/* 0 .. 255. */
 static unsigned absolute_difference(uint8_t a, uint8_t b)
 {
     return a > b ? (unsigned)(a - b) : (unsigned)(b - a);
@@ -128,6 +130,7 @@ static void write_report(const struct difference *difference, const char *name)
     output_commit(&out);
 }
 
+/* What can be refused before anything is read. */
 static void check_output(const struct settings *settings)
 {
     const char *name = settings->output;
@@ -139,6 +142,7 @@ static void check_output(const struct settings *settings)
     }
 }
 
+/* Like cmp and diff, the status tells whether there was a difference. */
 int command_compare(const struct settings *settings)
 {
     struct picture a, b;

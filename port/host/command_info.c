@@ -32,6 +32,7 @@ static unsigned bin_of(const struct spread *spread, double value)
     return share < 1 ? (unsigned)(share * BINS) : BINS - 1;
 }
 
+/* Two passes: the range makes the bins. Values that are no numbers do not count. */
 static void measure(struct spread *spread, const struct scan *scan)
 {
     uint64_t count = scan->bytes / element_bytes(scan->type);
@@ -59,6 +60,7 @@ static double percentile(const struct spread *spread, double share)
     return spread->low + (spread->high / BINS - spread->low / BINS) * (bin + 1);
 }
 
+/* Values in one sixteenth of the range. */
 static uint64_t bar(const struct spread *spread, unsigned index)
 {
     uint64_t sum = 0;
@@ -102,6 +104,7 @@ static void print_text(const struct scan *scan, const struct spread *spread)
     print_bars(spread);
 }
 
+/* All 256 bins; the text shows them in sixteens. */
 static void report_spread(struct json *json, const struct spread *spread)
 {
     int64_t counts[BINS];

@@ -34,6 +34,7 @@ static picture_writer *choose_writer(const struct settings *settings)
     return writer;
 }
 
+/* What can be refused before anything is read. */
 static void check_outputs(const struct settings *settings)
 {
     if (settings->output == NULL) {
@@ -56,6 +57,7 @@ static void write_frame(output *out, const struct frame *frame, picture_writer *
     free(picture.pixels);
 }
 
+/* The picture gets its name last: where it is, its report is too. */
 int command_render(const struct settings *settings)
 {
     picture_writer *writer;

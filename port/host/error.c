@@ -31,6 +31,7 @@ static void print_line(char *line)
     fprintf(stderr, "%s\n", line);
 }
 
+/* What does not fit in the line is cut off. */
 static void append(char *line, const char *text)
 {
     size_t used = strlen(line);

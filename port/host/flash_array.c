@@ -24,6 +24,7 @@ static void print(struct flash_array *array, const char *format, ...)
     output_write(array->out, text, strlen(text));
 }
 
+/* Letters and digits as C has them, in any locale. */
 static bool is_name_character(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
@@ -74,6 +75,7 @@ static void print_comment(struct flash_array *array)
           storage_name(model->storage));
 }
 
+/* An array of words is aligned as 16-bit storage must be. */
 static void start_array(struct flash_array *array, const char *what, unsigned word_bytes,
                         uint64_t words)
 {
@@ -112,6 +114,7 @@ void flash_array_begin(struct flash_array *array, output *out, const struct mode
                 voxel_count(&model->classifier.scalars) * bytes / word_bytes);
 }
 
+/* Decimal is shorter than hexadecimal, and compilers read it as fast. */
 static void print_word(struct flash_array *array, unsigned word)
 {
     char text[16];
@@ -159,6 +162,7 @@ static const char *storage_constant(qv_storage storage)
     }
 }
 
+/* Positional, so that C++ takes it as well; the order is that of qv_volume. */
 static void print_descriptor(struct flash_array *array)
 {
     const struct model *model = array->model;

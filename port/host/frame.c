@@ -29,6 +29,7 @@ struct strips {
     struct tally *tallies; /* one for each strip */
 };
 
+/* Differences modulo 2^32 are exact: a piece takes fewer than 2^32 samples. */
 static void count_piece(struct tally *tally, const qv_progress *before, const qv_progress *after)
 {
     tally->samples += (uint32_t)(after->samples - before->samples);
@@ -36,6 +37,7 @@ static void count_piece(struct tally *tally, const qv_progress *before, const qv
     tally->terminated += (uint32_t)(after->terminated - before->terminated);
 }
 
+/* One strip into its own rows of the frame; runs on any thread. */
 static void render_strip(void *argument, uint32_t piece)
 {
     const struct strips *strips = argument;
@@ -71,6 +73,7 @@ static uint32_t strip_rows(const struct frame *frame, const struct settings *set
     return rows;
 }
 
+/* Alpha is kept where the background leaves any. */
 static const struct pixel_format *chosen_format(const struct settings *settings)
 {
     const char *by_default = settings->background[3] == 255 ? "rgb888" : "rgba8888";
@@ -94,6 +97,7 @@ void frame_free(struct frame *frame)
     free(frame->bytes);
 }
 
+/* Of a clock that is never set back. */
 static double seconds_now(void)
 {
     struct timespec now;

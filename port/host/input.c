@@ -49,6 +49,7 @@ static bool matches_nifti(const unsigned char *start)
     return found;
 }
 
+/* Its version follows; the library judges that. */
 static bool matches_nrrd(const unsigned char *start)
 {
     return memcmp(start, "NRRD", PEEK_BYTES) == 0;
@@ -67,6 +68,7 @@ bool machine_is_big_endian(void)
     return bytes[1] == 1;
 }
 
+/* mkstemp fills the six letters. */
 static char *temporary_copy_name(const char *name)
 {
     const char *folder = getenv("TMPDIR");
@@ -140,6 +142,7 @@ size_t source_peek(const struct source *source, void *start, size_t bytes)
     return count;
 }
 
+/* What the file begins with decides, whatever its name ends in. */
 static void read_by_content(struct scan *scan, const struct source *source)
 {
     unsigned char start[PEEK_BYTES];
@@ -166,6 +169,7 @@ static uint64_t most_bytes(const raw_options *raw)
     return raw->size[0] == 0 ? UINT64_MAX : raw->skip + voxels * bytes;
 }
 
+/* Options, then the name, then the content say what the file is. */
 void input_read(struct scan *scan, const char *name, const raw_options *options)
 {
     raw_options raw = *options;

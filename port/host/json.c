@@ -64,6 +64,7 @@ static void start_line(struct json *json)
     }
 }
 
+/* Comma, line and key before a value. */
 static void start_value(struct json *json, const char *key)
 {
     if (json->filled[json->depth]) {
@@ -148,6 +149,7 @@ void json_unsigned(struct json *json, const char *key, uint64_t value)
     put(json, text);
 }
 
+/* 17 digits tell every double from its neighbours. */
 static void put_decimal(struct json *json, double value)
 {
     char text[32];

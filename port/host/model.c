@@ -63,6 +63,7 @@ static void set_directions(qv_shading *shading, const struct settings *settings)
     }
 }
 
+/* Indexed voxels are looked up while they are sampled. */
 static void make_palette(struct model *model)
 {
     if (model->storage == QV_STORAGE_INDEXED8) {
@@ -75,6 +76,7 @@ static void make_palette(struct model *model)
     }
 }
 
+/* The descriptor that qv_classify and qv_reduce work on. */
 static void set_classifier(struct model *model)
 {
     qv_classifier *classifier = &model->classifier;
@@ -85,6 +87,7 @@ static void set_classifier(struct model *model)
     classifier->shading = model->shaded ? &model->shading : NULL;
 }
 
+/* Usage errors first: reading may take a while, they should not. */
 static void read_scalars(struct model *model, const struct settings *settings,
                          qv_storage default_storage)
 {
@@ -150,6 +153,7 @@ static void refuse_classification(const struct settings *settings)
     }
 }
 
+/* The size tells the width of the entries; no other is one. */
 static void check_palette_size(const struct source *source)
 {
     if (source->bytes != QV_PALETTE8_BYTES && source->bytes != QV_PALETTE16_BYTES) {
@@ -183,6 +187,7 @@ static void read_palette(struct model *model, const struct settings *settings)
     }
 }
 
+/* Voxels that stand in the file as the renderer wants them. */
 static void read_classified(struct model *model, const struct settings *settings)
 {
     refuse_classification(settings);

@@ -105,6 +105,7 @@ struct slices {
     size_t slice_bytes;
 };
 
+/* A slice is a piece of work: slices share nothing that is written. */
 static void classify_slice(void *context, uint32_t z)
 {
     const struct slices *slices = context;
@@ -112,6 +113,7 @@ static void classify_slice(void *context, uint32_t z)
                    z + 1);
 }
 
+/* Tightly packed, x fastest. */
 static void classify_volume(qv_volume *volume, struct model *model, const struct settings *settings)
 {
     const qv_scalars *scalars = &model->classifier.scalars;
@@ -131,6 +133,7 @@ static void classify_volume(qv_volume *volume, struct model *model, const struct
     volume->stride[2] = volume->stride[1] * scalars->size[1]; /* at most 2^27 */
 }
 
+/* Voxels stay where the file was read to; strides turn them. */
 static void take_volume(qv_volume *volume, struct model *model)
 {
     struct layout layout;

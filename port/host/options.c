@@ -57,6 +57,8 @@ static void make_table(struct option table[OPTIONS_MOST], char letters[OPTIONS_M
     *letter = '\0';
 }
 
+/* The value is an index for long options, a letter for short ones; getopt_long
+   returns none that the table lacks. */
 static const struct option_spec *spec_of(int value)
 {
     const struct option_spec *spec = option_specs;
@@ -126,6 +128,7 @@ void finish_output(void)
     exit(EXIT_SUCCESS);
 }
 
+/* A line of help; "[FILE]" is shown as it is typed: --json[=FILE]. */
 static void print_option(const struct option_spec *spec)
 {
     char text[64];

@@ -13,6 +13,7 @@ static const uint8_t permutations[6][3] = {
 /* Six volumes of the box of unit directions: below this they lie in a plane. */
 #define LEAST_DETERMINANT 1e-6
 
+/* By the first row. */
 static double determinant(double m[3][3])
 {
     return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -

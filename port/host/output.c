@@ -58,6 +58,7 @@ void remove_at_exit(char *path)
     temporaries[slot] = path;
 }
 
+/* It has its final name, and stays. */
 static void forget_temporary(const char *path)
 {
     for (unsigned i = 0; i < TEMPORARY_FILES; i++) {
@@ -67,6 +68,7 @@ static void forget_temporary(const char *path)
     }
 }
 
+/* Renaming would replace a device or a pipe by a file. */
 static bool written_directly(const char *target)
 {
     struct stat status;
@@ -82,6 +84,7 @@ static char *temporary_name(const char *target)
     return name;
 }
 
+/* O_EXCL: never over a file, nor through a link, that stands there. */
 static void open_temporary(output *out)
 {
     int descriptor;

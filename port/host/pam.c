@@ -28,6 +28,7 @@ struct pam_header {
     uint32_t width, height, depth, maximum;
 };
 
+/* Lines with other keys (TUPLTYPE, comments) do not matter here. */
 static void read_field(struct pam_header *header, const char *name, const char *line)
 {
     const struct {
@@ -46,6 +47,7 @@ static void read_field(struct pam_header *header, const char *name, const char *
     }
 }
 
+/* Fields come in any order; one that is missing stays 0. */
 static void read_header(struct pam_header *header, const char *name, FILE *file)
 {
     char line[LINE_BYTES];

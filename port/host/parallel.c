@@ -20,6 +20,7 @@ struct queue {
     uint32_t done;
 };
 
+/* Never more threads than pieces. */
 static unsigned thread_count(const struct parallel *work)
 {
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
@@ -40,6 +41,7 @@ static void show_progress(const struct queue *queue)
     }
 }
 
+/* What each thread does; the lock is held but while a piece runs. */
 static void *work_off(void *argument)
 {
     struct queue *queue = argument;

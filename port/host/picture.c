@@ -50,6 +50,7 @@ bool has_ending(const char *name, const char *ending)
     return length >= tail && strcasecmp(name + length - tail, ending) == 0;
 }
 
+/* The writer, or a usage error that names the package. */
 static picture_writer *writer_of(const struct picture_kind *kind)
 {
     if (kind->write == NULL) {
@@ -74,6 +75,7 @@ picture_writer *picture_writer_by_name(const char *name)
     return NULL;
 }
 
+/* By the first bytes, whatever the name ends in. */
 static const struct picture_kind *kind_of(const struct source *source)
 {
     char start[4] = "";

@@ -72,6 +72,7 @@ static void show_l8(uint8_t *channels, const uint8_t *row, uint32_t x, uint32_t 
     channels[0] = row[x];
 }
 
+/* Level 15 is white: 15 * 17 = 255. */
 static void show_grey4(uint8_t *channels, const uint8_t *row, uint32_t x, uint32_t line)
 {
     unsigned level = row[x / 2] >> (x % 2 == 0 ? 4 : 0) & 15;
@@ -79,12 +80,14 @@ static void show_grey4(uint8_t *channels, const uint8_t *row, uint32_t x, uint32
     channels[0] = (uint8_t)(level * 17);
 }
 
+/* The leftmost pixel is the highest bit. */
 static void show_mono_horizontal(uint8_t *channels, const uint8_t *row, uint32_t x, uint32_t line)
 {
     (void)line;
     channels[0] = row[x / 8] >> (7 - x % 8) & 1 ? 255 : 0;
 }
 
+/* The topmost pixel is the lowest bit. */
 static void show_mono_vertical(uint8_t *channels, const uint8_t *row, uint32_t x, uint32_t line)
 {
     channels[0] = row[x] >> line & 1 ? 255 : 0;

@@ -33,6 +33,7 @@ static void flush(png_structp png)
     (void)png;
 }
 
+/* libpng keeps the name for fail(), and wants it without const. */
 void write_png(output *out, const struct picture *picture)
 {
     static const int colour_types[] = {0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
@@ -58,6 +59,8 @@ void write_png(output *out, const struct picture *picture)
     free(name);
 }
 
+/* Palettes and narrow greys become 8 bits a channel; lies about size are found
+   before anything is allocated. */
 static void read_header(png_structp png, png_infop info, const char *name, uint64_t bytes)
 {
     uint64_t pixels;

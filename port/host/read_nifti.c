@@ -38,6 +38,7 @@ struct geometry {
     int bits;
 };
 
+/* The types that have a meaning as one scalar. */
 static element element_of(int datatype)
 {
     switch (datatype) {
@@ -62,6 +63,7 @@ static element element_of(int datatype)
     }
 }
 
+/* gzip is known by its mark, not by the name. */
 static znzFile open_file(const struct source *source)
 {
     unsigned char mark[2] = {0, 0};
@@ -74,6 +76,7 @@ static znzFile open_file(const struct source *source)
     return file;
 }
 
+/* Part of the header, or an error. */
 static void need_bytes(const struct source *source, znzFile file, void *bytes, size_t count)
 {
     if (znzread(bytes, 1, count, file) != count) {
@@ -106,6 +109,7 @@ static bool read_header(const struct source *source, znzFile file, union header 
     return swapped;
 }
 
+/* "n+1" and "n+2" are single files; "ni1" and "ni2" pairs. */
 static void check_magic(const struct source *source, const union header *header)
 {
     bool first = header->size == 348;
@@ -118,6 +122,7 @@ static void check_magic(const struct source *source, const union header *header)
     }
 }
 
+/* The two versions differ in widths and places. */
 static void get_geometry(struct geometry *geometry, const union header *header)
 {
     bool first = header->size == 348;
@@ -130,6 +135,7 @@ static void get_geometry(struct geometry *geometry, const union header *header)
     geometry->bits = first ? header->one.bitpix : header->two.bitpix;
 }
 
+/* Dimensions beyond dim[0] have no meaning; those beyond the third must be 1. */
 static void check_dimensions(const struct source *source, const int64_t dim[8])
 {
     if (dim[0] < 1 || dim[0] > 7) {
@@ -149,6 +155,7 @@ static void check_dimensions(const struct source *source, const int64_t dim[8])
     }
 }
 
+/* The library would mend these to 1. */
 static void check_spacing(const struct source *source, const struct geometry *geometry)
 {
     for (int i = 1; i <= 3 && i <= geometry->dim[0]; i++) {
@@ -160,6 +167,7 @@ static void check_spacing(const struct source *source, const struct geometry *ge
     }
 }
 
+/* Every field that decides how much is read, and from where. */
 static void check_geometry(const struct source *source, const union header *header,
                            const struct geometry *geometry)
 {
@@ -223,6 +231,7 @@ static void set_scaling(struct scan *scan, const nifti_image *image)
     }
 }
 
+/* Exactly the bytes that the header implies: neither fewer nor more. */
 static void read_values(struct scan *scan, const struct source *source, znzFile file, double offset)
 {
     unsigned char more;

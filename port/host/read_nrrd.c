@@ -24,6 +24,7 @@
 /* A header line is short; teem reads lines of any length. */
 #define LINE_BYTES 1024
 
+/* The types that have a meaning as one scalar. */
 static element element_of(int type)
 {
     switch (type) {
@@ -48,6 +49,7 @@ static element element_of(int type)
     }
 }
 
+/* teem hands a pattern to sprintf. */
 static void check_data_file(const struct source *source, const char *line)
 {
     if (strncasecmp(line, "data file:", 10) != 0 && strncasecmp(line, "datafile:", 9) != 0) {
@@ -91,6 +93,7 @@ static void teem_error(const struct source *source, const char *field)
     data_error(source->name, field, "%s", reason != NULL ? reason : "refused by teem");
 }
 
+/* Header or all, as the state says. */
 static void load(const struct source *source, Nrrd *nrrd, NrrdIoState *state, const char *field)
 {
     int saved = quiet_begin();
@@ -101,6 +104,7 @@ static void load(const struct source *source, Nrrd *nrrd, NrrdIoState *state, co
     }
 }
 
+/* teem knows more (text, bzip2); they are not needed here. */
 static void check_encoding(const struct source *source, const NrrdIoState *state)
 {
     if (state->encoding != nrrdEncodingRaw && state->encoding != nrrdEncodingGzip) {
@@ -128,6 +132,7 @@ static void world_signs(int space, double sign[3])
     sign[2] = 1;
 }
 
+/* Directions before spacings, as the format has it. */
 static void set_geometry(struct scan *scan, const Nrrd *nrrd)
 {
     double direction[3][3];
@@ -147,6 +152,7 @@ static void set_geometry(struct scan *scan, const Nrrd *nrrd)
     scan->oriented = scan->oriented && nrrd->space != nrrdSpaceUnknown;
 }
 
+/* Everything but the values. */
 static void set_description(struct scan *scan, const struct source *source, const Nrrd *nrrd)
 {
     scan_clear(scan, source->name, "NRRD");

@@ -41,6 +41,7 @@ static const choice name_types[] = {
 
 #define NAME_BYTES 256
 
+/* 0 for a word that names no type. */
 static int type_from_name(const char *text)
 {
     const choice *c = name_types;
@@ -79,6 +80,7 @@ bool raw_options_from_name(raw_options *options, const char *name)
     return true;
 }
 
+/* Its size was compared with the file's, so fewer bytes are a failing disk. */
 static void read_values(struct scan *scan, const struct source *source, uint64_t skip)
 {
     FILE *file = fopen(source->path, "rb");

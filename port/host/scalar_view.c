@@ -12,16 +12,19 @@
 #define WINDOW_LEAST -65536
 #define WINDOW_MOST  131071
 
+/* The file's values are not those that it stores. */
 static bool is_scaled(const struct scan *scan)
 {
     return scan->slope < 1 || scan->slope > 1 || scan->offset < 0 || scan->offset > 0;
 }
 
+/* What fits in the library's scalars without loss. */
 static bool is_exact(const struct scan *scan)
 {
     return scan->type <= ELEMENT_S16 && !is_scaled(scan);
 }
 
+/* Given, or all of 8 bits, or the data's range. */
 static void choose_window(double window[2], const struct scan *scan,
                           const struct settings *settings)
 {
@@ -38,6 +41,7 @@ static void choose_window(double window[2], const struct scan *scan,
     }
 }
 
+/* The library's window is in whole scalars. */
 static int32_t whole_window(double value)
 {
     if (value < WINDOW_LEAST || value > WINDOW_MOST || value > floor(value)) {
@@ -68,6 +72,7 @@ static void convert(struct scan *scan, const double window[2])
     scan->values = values;
 }
 
+/* The library has no signed bytes: every value keeps its number. */
 static void widen(struct scan *scan)
 {
     const int8_t *from = scan->values;
@@ -79,6 +84,7 @@ static void widen(struct scan *scan)
     scan->values = values;
 }
 
+/* Values and window, converted together. */
 static qv_scalar_type set_values(struct scalar_view *view, struct scan *scan)
 {
     view->converted = !is_exact(scan);

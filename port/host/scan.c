@@ -22,6 +22,7 @@ const choice element_names[] = {
     {NULL, 0},
 };
 
+/* RGBA16 is four words of two bytes. */
 unsigned element_word_bytes(element type)
 {
     switch (type) {
@@ -103,6 +104,7 @@ void swap_words(void *values, uint64_t bytes, unsigned word_bytes)
     }
 }
 
+/* A double holds each of these types exactly. */
 double scan_value(const struct scan *scan, uint64_t place)
 {
     double stored = 0;

@@ -40,6 +40,7 @@ static uint32_t pitch(const qv_volume *volume, const struct settings *settings)
     return (uint32_t)lround(fmin(units * QV_ONE_Q16, INT32_MAX));
 }
 
+/* Every number becomes the integer that the report prints. */
 static void set_view(struct view *view, const qv_volume *volume, const struct settings *settings)
 {
     settings_rotation(view->view.rotation, settings);
@@ -50,6 +51,7 @@ static void set_view(struct view *view, const qv_volume *volume, const struct se
     view->field_of_view = (qv_angle)llround(settings->perspective / 360 * FULL_TURN);
 }
 
+/* The library knows the ranges; the message names what leads out of them. */
 static void set_camera(qv_scene *scene, const struct view *view)
 {
     qv_status status =

@@ -32,6 +32,7 @@ static const choice endian_names[] = {{"little", 0}, {"big", 1}, {NULL, 0}};
 static const choice container_names[] = {
     {"png", CONTAINER_PNG}, {"pam", CONTAINER_PAM}, {"raw", CONTAINER_RAW}, {NULL, 0}};
 
+/* Readers of values, or usage errors that tell the range. */
 static double decimal_between(const char *option, const char *value, double least, double most)
 {
     double number;
@@ -120,6 +121,7 @@ static void set_mask_transfer(struct settings *settings, const char *option, con
     settings->mask_transfer = value;
 }
 
+/* Both ends may be negative: --window=-100:300. */
 static void set_window(struct settings *settings, const char *option, const char *value)
 {
     double *window = settings->window;
@@ -210,6 +212,7 @@ static void set_background(struct settings *settings, const char *option, const 
     }
 }
 
+/* Looked up here so that a wrong name ends the command at once. */
 static void set_format(struct settings *settings, const char *option, const char *value)
 {
     pixel_format_find(option, value);
@@ -226,6 +229,7 @@ static void set_strip(struct settings *settings, const char *option, const char 
     settings->strip = (uint32_t)integer_between(option, value, 1, QV_PIXEL_MAX);
 }
 
+/* One factor stands for all axes. */
 static void set_reduce(struct settings *settings, const char *option, const char *value)
 {
     uint32_t *reduce = settings->reduce;

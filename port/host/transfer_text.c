@@ -23,6 +23,7 @@ struct place {
     unsigned line;
 };
 
+/* FILE: line N: reason. */
 static void text_error(const struct place *place, const char *reason)
 {
     char field[32];
@@ -30,6 +31,7 @@ static void text_error(const struct place *place, const char *reason)
     data_error(place->name, field, "%s", reason);
 }
 
+/* 0 .. most. */
 static double number(const struct place *place, const char *word, double most)
 {
     double value;
@@ -39,6 +41,7 @@ static double number(const struct place *place, const char *word, double most)
     return value;
 }
 
+/* 8 bits become 16 by * 257, which takes 255 to 65535. */
 static void read_point(struct transfer *transfer, const struct place *place, char *words[WORDS])
 {
     qv_control_point *point = &transfer->points[transfer->count];
@@ -80,6 +83,7 @@ static void read_shading(struct transfer *transfer, const struct place *place, c
     shading->least_gradient = (uint16_t)lround(number(place, words[5], 1) * 256);
 }
 
+/* Cuts the line in place; WORDS + 1 if there are too many. */
 static unsigned split_words(char *line, char *words[WORDS])
 {
     unsigned count = 0;
@@ -100,6 +104,7 @@ static unsigned split_words(char *line, char *words[WORDS])
     return count;
 }
 
+/* Blank lines and comments say nothing. */
 static void read_line(struct transfer *transfer, const struct place *place, char *line)
 {
     char *words[WORDS];
@@ -135,6 +140,7 @@ static void read_text(struct transfer *transfer, const char *name, char *text)
     }
 }
 
+/* Null if there is no preset of that name. */
 static const char *preset_text(const char *name)
 {
     const struct preset *p = presets;
@@ -144,6 +150,7 @@ static const char *preset_text(const char *name)
     return p->text;
 }
 
+/* A bare word that is no file was meant as a preset. */
 static void read_file(const char *name, char text[TEXT_BYTES])
 {
     FILE *file = fopen(name, "rb");

@@ -63,6 +63,7 @@ static bool split(char *copy, char separator, unsigned count, const char *parts[
     return found == count;
 }
 
+/* False if it is longer than any value needs to be. */
 static bool copy_text(char copy[TEXT_BYTES], const char *text)
 {
     return snprintf(copy, TEXT_BYTES, "%s", text) < TEXT_BYTES;
@@ -113,6 +114,7 @@ bool read_colour(const char *text, uint8_t rgb[3])
     return true;
 }
 
+/* "a, b, c"; what does not fit is cut off. */
 static void list_names(char *names, size_t bytes, const choice *choices)
 {
     names[0] = '\0';

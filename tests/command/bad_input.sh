@@ -156,6 +156,8 @@ field bomb.nii.gz 'implies 1073741824'
 field truncated.nrrd 'implies 960 bytes, the file has 959'
 field dimension_four.nrrd 'dimension: 4 axes'
 field ascii.nrrd encoding
+field pattern.nrrd 'data file: several data files'
+field list.nrrd 'data file: several data files'
 
 raw() { # raw NAME PATTERN STATUS ARGUMENT...
     name=$1 pattern=$2 status=$3

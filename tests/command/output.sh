@@ -74,6 +74,18 @@ status=$?
 check "an interrupted run ends by its signal" test $status -eq 143
 check "and leaves the old file" grep -q before kept.raw
 check "and no other" sh -c '! ls | grep "\.tmp$"'
+mkdir spool
+mkfifo fifo
+TMPDIR=$work/spool "$QVOL" info fifo 2>interrupted.err &
+pid=$!
+exec 3>fifo
+cat $IN >&3
+sleep 0.3
+check "a pipe is copied while it is read" sh -c 'ls spool | grep -q qvol-input'
+kill -TERM $pid
+wait $pid
+exec 3>&-
+check "an interrupted run removes its copy of a pipe" sh -c '! ls spool | grep .'
 check "progress is silent where standard error is no terminal" sh -c \
     '"$1" render "$2" -o a.raw --size 8x8 2>&1 | grep -c . | grep -qx 0' - "$QVOL" $IN
 if command -v script >/dev/null; then
