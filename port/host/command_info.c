@@ -36,7 +36,6 @@ static unsigned bin_of(const struct spread *spread, double value)
 static void measure(struct spread *spread, const struct scan *scan)
 {
     uint64_t count = scan->bytes / element_bytes(scan->type);
-    memset(spread, 0, sizeof *spread);
     if (!scan_range(scan, &spread->low, &spread->high)) {
         data_error(scan->file, "data", "no value is a number");
     }
@@ -141,7 +140,7 @@ static void write_report(const struct settings *settings, const struct scan *sca
 int command_info(const struct settings *settings)
 {
     struct scan scan;
-    struct spread spread;
+    struct spread spread = {0};
     input_read(&scan, settings->operands[0], &settings->raw);
     if (!element_is_classified(scan.type)) {
         measure(&spread, &scan);

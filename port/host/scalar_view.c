@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* The library's limits of a window. */
-#define WINDOW_LEAST -65536
+#define WINDOW_LEAST (-65536)
 #define WINDOW_MOST  131071
 
 /* The file's values are not those that it stores. */
