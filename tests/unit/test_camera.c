@@ -150,6 +150,21 @@ static void spacing_divides_lengths(void **state)
     expect_vector(camera.across, VOXEL / 2, 0, 0); /* directions are in world units */
 }
 
+/* Spacings of 3 and 6 leave thirds of 2^-32 voxel: 1/6 ends in .67, 1/12 in .33. */
+static void lengths_round_to_nearest(void **state)
+{
+    const qv_view view = plain_view();
+    qv_camera camera;
+    (void)state;
+
+    fixture_volume(&f, QV_STORAGE_RGBA8, 1);
+    f.scene.volume.spacing[0] = 3 * QV_ONE_Q16;
+    f.scene.volume.spacing[2] = 6 * QV_ONE_Q16;
+    assert_int_equal(qv_orthographic(&camera, &f.scene.volume, &view), QV_OK);
+    expect_vector(camera.across, VOXEL / 6 + 1, 0, 0);
+    expect_vector(camera.down, 0, 0, -(VOXEL / 12));
+}
+
 /* At 90 degrees half the frame's height, 2, is the distance of the eye; directions
    lead to the plane through the centre of the box. */
 static void perspective_camera_in_numbers(void **state)
@@ -287,6 +302,7 @@ int main(void)
         cmocka_unit_test(rotations_are_near_the_real_ones_and_orthonormal),
         cmocka_unit_test(orthographic_camera_in_numbers),
         cmocka_unit_test(spacing_divides_lengths),
+        cmocka_unit_test(lengths_round_to_nearest),
         cmocka_unit_test(perspective_camera_in_numbers),
         cmocka_unit_test(frames_out_of_range),
         cmocka_unit_test(pitch_and_step_out_of_range),

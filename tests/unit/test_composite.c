@@ -218,6 +218,16 @@ static void light_and_transmittance_sum_to_one(void **state)
 
 /* ---- Read-out ---- */
 
+/* round(255 * 2^49 / unit): levels of 2^-16 from halves of a unit. */
+static void read_out_factors(void **state)
+{
+    const uint64_t levels = (uint64_t)255 << 49;
+    (void)state;
+
+    assert_int_equal(QV_READ_OUT_8, (levels + COLOUR8 / 2) / COLOUR8);
+    assert_int_equal(QV_READ_OUT_16, (levels + COLOUR16 / 2) / COLOUR16);
+}
+
 /* Full light of either storage is exactly the level 1, and none is 0. */
 static void full_light_is_level_one(void **state)
 {
@@ -246,6 +256,7 @@ int main(void)
         cmocka_unit_test(one_operation_rounds_to_nearest),
         cmocka_unit_test(under_and_over_agree),
         cmocka_unit_test(light_and_transmittance_sum_to_one),
+        cmocka_unit_test(read_out_factors),
         cmocka_unit_test(full_light_is_level_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,10 +1,10 @@
 /*
- * Rendering: the same bytes in whatever parts a frame is rendered, statistics,
- * and pictures whose pixels are known.
+ * Rendering: the same bytes in whatever parts a frame is rendered, pictures whose
+ * pixels are known, and what formats are given to store.
  */
 #include "check.h"
+#include "pixels.h"
 #include "ray.h"
-#include "sample.h"
 #include "scene_fixture.h"
 
 #include <stdlib.h>
@@ -155,143 +155,6 @@ static void pieces_give_the_bytes_of_the_whole(void **state)
         }
 }
 
-/* ---- Statistics ---- */
-
-static qv_progress statistics(void)
-{
-    fixture_pixels pixels;
-    const qv_context context = fixture_context(&f);
-    const qv_image image = {pixels, sizeof pixels, FIXTURE_WIDTH * 4, &qv_format_rgba8888};
-    qv_progress progress = {0, 0, 0, 0, 0};
-    assert_int_equal(qv_render_some(&image, &progress, &context, &fixture_frame, 10000), QV_OK);
-    return progress;
-}
-
-/* What there is to take: rays that meet the box, those with more than one sample,
-   samples, and those of them in transparent cells. */
-typedef struct inventory {
-    uint32_t rays, longer, samples, transparent;
-} inventory;
-
-static void count_ray(inventory *all, qv_ray *ray)
-{
-    qv_cell cell;
-    qv_sample sample;
-    all->rays += ray->samples > 0;
-    all->longer += ray->samples > 1;
-    all->samples += ray->samples;
-    for (; ray->samples != 0; ray->samples--) {
-        qv_cell_locate(&cell, &f.scene.volume, ray);
-        all->transparent += !qv_sample_weighted(&sample, &cell, &f.scene.volume, QV_STORAGE_RGBA8);
-        for (unsigned axis = 0; axis < 3; axis++)
-            ray->place[axis] += ray->advance[axis];
-    }
-}
-
-static inventory count(void)
-{
-    const qv_context context = fixture_context(&f);
-    inventory all = {0, 0, 0, 0};
-    for (int32_t y = 0; y < FIXTURE_HEIGHT; y++)
-        for (int32_t x = 0; x < FIXTURE_WIDTH; x++) {
-            qv_ray ray;
-            qv_ray_orthographic(&ray, &context, x, y);
-            count_ray(&all, &ray);
-        }
-    return all;
-}
-
-static void make_sparse(const qv_sampling *sampling)
-{
-    fixture_make(&f, sampling, 5);
-    for (unsigned i = 0; i < FIXTURE_VOXELS; i++)
-        ((uint8_t *)f.voxels)[4 * i + 3] = i % 11 == 0 ? 20 : 0;
-}
-
-static void every_sample_is_counted(void **state)
-{
-    static const qv_sampling *const modes[2] = {&qv_weighted_rgba8,
-                                                &qv_weighted_rgba8_back_to_front};
-    (void)state;
-
-    for (unsigned i = 0; i < 2; i++) {
-        make_sparse(modes[i]);
-        const inventory all = count();
-        const qv_progress done = statistics();
-        assert_int_equal(done.samples, all.samples);
-        assert_int_equal(done.skipped, all.transparent);
-        assert_in_range(done.skipped, 1, done.samples - 1);
-        assert_int_equal(done.terminated, 0);
-    }
-}
-
-/* Of an opaque volume each ray takes its first sample, whatever the threshold;
-   back to front it takes them all. */
-static void rays_end_at_the_threshold(void **state)
-{
-    static const uint16_t thresholds[3] = {0, QV_TERMINATION_DEFAULT, 65535};
-    (void)state;
-
-    for (unsigned i = 0; i < 3; i++) {
-        fixture_make(&f, &qv_weighted_rgba8, 1);
-        memset(f.voxels, 255, sizeof f.voxels);
-        f.scene.termination = thresholds[i];
-        const inventory all = count();
-        const qv_progress done = statistics();
-        assert_int_equal(done.samples, all.rays);
-        assert_int_equal(done.terminated, all.longer);
-        f.scene.sampling = &qv_weighted_rgba8_back_to_front;
-        assert_int_equal(statistics().samples, all.samples);
-        assert_int_equal(statistics().terminated, 0);
-    }
-}
-
-/* A ray ends where the transmittance is at or below the threshold: .498, .248, .124
-   and .062 after one to four samples. */
-static void the_threshold_is_a_transmittance(void **state)
-{
-    static const uint16_t thresholds[4] = {32768, 16384, 8192, 8000};
-    static const uint8_t voxel[4] = {255, 255, 255, 128}; /* leaves 127/255 */
-    const qv_rect pixel = {FIXTURE_WIDTH / 2, FIXTURE_HEIGHT / 2, FIXTURE_WIDTH / 2 + 1,
-                           FIXTURE_HEIGHT / 2 + 1};
-    uint8_t rgba[4];
-    const qv_image image = {rgba, 4, 0, &qv_format_rgba8888};
-    (void)state;
-
-    fixture_make(&f, &qv_nearest_rgba8, 1);
-    for (unsigned i = 0; i < FIXTURE_VOXELS; i++)
-        memcpy((uint8_t *)f.voxels + 4 * i, voxel, 4);
-    for (unsigned i = 0; i < 4; i++) {
-        qv_progress progress = {0, 0, 0, 0, 0};
-        f.scene.termination = thresholds[i];
-        const qv_context context = fixture_context(&f);
-        assert_int_equal(qv_render_some(&image, &progress, &context, &pixel, 1), QV_OK);
-        assert_int_equal(progress.samples, i + 1);
-        assert_int_equal(progress.terminated, 1);
-    }
-}
-
-/* The default threshold costs a quarter of a level, which may tip the rounding. */
-static void the_default_threshold_costs_little(void **state)
-{
-    static fixture_pixels full, early;
-    uint32_t ended = 0;
-    (void)state;
-
-    for (uint32_t seed = 1; seed <= 40; seed++) {
-        fixture_make(&f, &qv_weighted_rgba16, seed);
-        for (unsigned i = 3; i < FIXTURE_VOXELS * 4; i += 4)
-            f.voxels[i] = (uint16_t)(65535 - f.voxels[i]);
-        fixture_render(full, &f);
-        f.scene.termination = QV_TERMINATION_DEFAULT;
-        fixture_render(early, &f);
-        ended += statistics().terminated;
-        for (unsigned i = 0; i < sizeof full; i++)
-            assert_true(abs((&full[0][0][0])[i] - (&early[0][0][0])[i]) <= 1);
-    }
-    assert_true(ended > 1000);
-}
-
 /* ---- Pictures that are known ---- */
 
 static void expect_pixels(const uint8_t rgba[4], int within_box)
@@ -367,18 +230,56 @@ static void transparent_is_the_background(void **state)
     }
 }
 
+/* ---- What formats are given ---- */
+
+static qv_rect expected_place;
+static uint32_t stored, bound;
+
+/* A format that stores nothing but checks: where pixels lie in the rectangle and
+   in the frame, and that no colour is above the opacity. */
+static void spy(uint8_t *row, uint32_t column, uint32_t line, const qv_pixel *pixel)
+{
+    (void)row;
+    assert_int_equal(pixel->x, (uint32_t)expected_place.left + column);
+    assert_int_equal(pixel->y, (uint32_t)expected_place.top + line);
+    for (unsigned c = 0; c < 3; c++) {
+        assert_true(pixel->channel[c] <= pixel->channel[3]);
+        bound += pixel->channel[c] == pixel->channel[3];
+    }
+    assert_true(pixel->channel[3] <= 255u * 65536u);
+    stored++;
+}
+
+/* White of any opacity, where roundings of light and transmittance meet. */
+static void colours_stay_below_their_opacity(void **state)
+{
+    static const qv_format format = {spy, 0, 0};
+    uint8_t nothing[1];
+    const qv_image image = {nothing, 1, 0, &format};
+    (void)state;
+
+    expected_place = whole;
+    stored = bound = 0;
+    for (uint8_t opacity = 1; opacity < 100; opacity++) {
+        const uint8_t white[4] = {255, 255, 255, opacity};
+        make_uniform(plain_modes[opacity % PLAIN_MODES], white);
+        memset(f.scene.background, opacity % 2 != 0 ? 255 : 0, 4);
+        const qv_context context = fixture_context(&f);
+        assert_int_equal(qv_render(&image, &context, &whole), QV_OK);
+    }
+    assert_int_equal(stored, 99 * SIDE * SIDE);
+    assert_in_range(bound, 1, stored * 3);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parts_give_the_bytes_of_the_whole),
         cmocka_unit_test(rows_may_run_upwards),
         cmocka_unit_test(pieces_give_the_bytes_of_the_whole),
-        cmocka_unit_test(every_sample_is_counted),
-        cmocka_unit_test(rays_end_at_the_threshold),
-        cmocka_unit_test(the_threshold_is_a_transmittance),
-        cmocka_unit_test(the_default_threshold_costs_little),
         cmocka_unit_test(opaque_is_exactly_opaque),
         cmocka_unit_test(transparent_is_the_background),
+        cmocka_unit_test(colours_stay_below_their_opacity),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
