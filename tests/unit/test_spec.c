@@ -158,6 +158,26 @@ static void S14_perspective_ray(void **state)
     expect_vector(ray.advance, -1519078587, 1887679198, -339392442);
 }
 
+/* The shortest direction that makes a ray, and one too short. */
+static void S14_short_directions(void **state)
+{
+    const qv_camera camera = {.origin = {VOXEL, VOXEL, VOXEL},
+                              .pace = {VOXEL / 2, VOXEL / 2, VOXEL / 2}};
+    qv_context context = any_context(&camera);
+    qv_ray ray;
+    (void)state;
+    context.scene.phase = 0;
+    context.scene.camera.along[0] = 65535;
+    context.scene.camera.along[1] = -65535;
+    qv_ray_perspective(&ray, &context, 0, 0);
+    assert_int_equal(ray.samples, 0);
+    context.scene.camera.along[0] = 65536;
+    context.scene.camera.along[1] = 0;
+    qv_ray_perspective(&ray, &context, 0, 0);
+    assert_int_equal(ray.samples, 4);
+    expect_vector(ray.advance, 2147483648, 0, 0);
+}
+
 /* Clips a ray and compares its first and last sample number. */
 static void expect_clip(qv_ray ray, int32_t least, int32_t first, int32_t last)
 {
@@ -383,6 +403,7 @@ int main(void)
         cmocka_unit_test(S12_perspective_camera),
         cmocka_unit_test(S13_orthographic_ray),
         cmocka_unit_test(S14_perspective_ray),
+        cmocka_unit_test(S14_short_directions),
         cmocka_unit_test(S15_clip),
         cmocka_unit_test(S16_cell),
         cmocka_unit_test(S17_weights),
