@@ -6,14 +6,17 @@
 
 #include "qvol.h"
 
-#define QV_VOXEL      ((qv_coord)1 << 32) /* 1 in Q31.32 */
-#define QV_LEAST_PACE 0x1000000u          /* 2^-8 voxel */
-
+#define QV_VOXEL ((qv_coord)1 << 32) /* 1 in Q31.32 */
 /* In whole voxels: */
 #define QV_MOST_PITCH  (1u << 12) /* of |across|, |down| */
-#define QV_MOST_PACE   (1u << 8)  /* of |along| or pace */
+#define QV_MOST_PACE   (1u << 8)  /* of |along| (orthographic), pace (perspective) */
 #define QV_MOST_ORIGIN ((uint32_t)1 << 20)
-#define QV_MOST_ALONG  ((uint32_t)1 << 20) /* perspective, world units */
+
+/* The largest magnitude of the components. */
+uint64_t qv_largest(const qv_coord v[3]);
+
+/* Whether every component is at most so many voxels in magnitude. */
+int qv_within(const qv_coord v[3], uint32_t voxels);
 
 /* Ranges and independence as stated at qv_camera. QV_OK, QV_ERROR_NULL, _CAMERA. */
 qv_status qv_camera_check(const qv_camera *camera);

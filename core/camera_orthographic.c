@@ -20,11 +20,11 @@ qv_status qv_orthographic(qv_camera *camera, const qv_volume *volume, const qv_v
             volume->size[axis] * (QV_VOXEL / 2) - qv_half_frame(camera, axis, view);
     }
     camera->step = view->step;
-    camera->ray = qv_ray_orthographic;
+    camera->projection = &qv_projection_orthographic;
     return QV_OK;
 }
 
-void qv_ray_orthographic(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y)
+void qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int32_t y)
 {
     const qv_camera *camera = &context->scene.camera;
     for (unsigned axis = 0; axis < 3; axis++) {
@@ -35,3 +35,13 @@ void qv_ray_orthographic(struct qv_ray *ray, const struct qv_context *context, i
     }
     qv_ray_clip(ray, context->scene.volume.size, -QV_GRID_LIMIT);
 }
+
+/* The largest component of a unit vector is at least 1/sqrt(3) > 1/2: every rotation of
+   a pace of 2^-8 passes. 4096 voxels are then at most 2^21 samples long. */
+static int in_range(const qv_camera *camera)
+{
+    return qv_largest(camera->pace) == 0 && qv_within(camera->along, QV_MOST_PACE) &&
+           qv_largest(camera->along) >= QV_VOXEL >> 9;
+}
+
+const qv_projection qv_projection_orthographic = {qv_ray_orthographic, in_range};

@@ -9,6 +9,10 @@
 #define LEAST_FIELD       DEGREE_ROUNDED_UP
 #define MOST_FIELD        0x6AAAAAAAu /* 150 degrees */
 
+/* As a power of 2, and in world units: */
+#define PACES_TO_EYE 20
+#define MOST_ALONG   ((uint32_t)1 << 20)
+
 /* Directions are halved until they have 31 bits, and then normalised. */
 #define MOST_HALVED     ((uint64_t)1 << 31)
 #define LEAST_DIRECTION ((uint64_t)1 << 16) /* 2^-16 world units */
@@ -32,7 +36,8 @@ static qv_coord to_voxels(qv_coord v, uint32_t spacing)
 {
     uint64_t size = v < 0 ? 0u - (uint64_t)v : (uint64_t)v;
     uint64_t whole = fx_divide(size, spacing); /* Q47.16, < 2^43 */
-    uint64_t rest = size - whole * spacing;    /* < spacing, so rest * 2^16 < 2^36 */
+    /* < spacing, so rest * 2^16 < 2^36 */
+    uint64_t rest = size - (uint64_t)fx_multiply((int64_t)whole, (int32_t)spacing);
     uint64_t voxels = (whole << 16) + fx_divide((rest << 16) + (spacing >> 1), spacing);
     return v < 0 ? -(qv_coord)voxels : (qv_coord)voxels;
 }
@@ -66,7 +71,7 @@ qv_status qv_perspective(qv_camera *camera, const qv_volume *volume, const qv_vi
         camera->pace[axis] = qv_voxels(view->step, volume, axis);
     }
     camera->step = view->step;
-    camera->ray = qv_ray_perspective;
+    camera->projection = &qv_projection_perspective;
     return QV_OK;
 }
 
@@ -109,7 +114,7 @@ static int normalise(int32_t unit[3], const qv_coord direction[3])
     return 1;
 }
 
-void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y)
+void qv_ray_perspective(qv_ray *ray, const qv_context *context, int32_t x, int32_t y)
 {
     const qv_camera *camera = &context->scene.camera;
     qv_coord direction[3];
@@ -117,7 +122,7 @@ void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, in
     for (unsigned axis = 0; axis < 3; axis++)
         direction[axis] = qv_pixel_point(camera->along, camera, axis, x, y);
     ray->samples = 0;
-    if (camera->pace[0] == 0 || !normalise(unit, direction))
+    if (!normalise(unit, direction))
         return;
     for (unsigned axis = 0; axis < 3; axis++) {
         ray->advance[axis] = fx_scale_q30(camera->pace[axis], unit[axis]);
@@ -126,3 +131,24 @@ void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, in
     }
     qv_ray_clip(ray, context->scene.volume.size, 0);
 }
+
+/*
+ * The eye lies at most 2^20 paces off on each axis; the volume is at most 2^20 of them
+ * long, so k stays below sqrt(3) * 2^21 < QV_GRID_LIMIT.
+ */
+static int in_range(const qv_camera *camera)
+{
+    if (!qv_within(camera->pace, QV_MOST_PACE))
+        return 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        qv_coord pace = camera->pace[axis], origin = camera->origin[axis];
+        if (pace < QV_VOXEL >> 8)
+            return 0;
+        qv_coord reach = pace << PACES_TO_EYE; /* <= 2^60 */
+        if (origin > reach || origin < -reach)
+            return 0;
+    }
+    return qv_within(camera->along, MOST_ALONG);
+}
+
+const qv_projection qv_projection_perspective = {qv_ray_perspective, in_range};

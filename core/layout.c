@@ -3,7 +3,10 @@
 #include "fx_wide.h"
 
 #define LEAST_SPACING    (QV_ONE_Q16 / 16u)
-#define GREATEST_SPACING (QV_ONE_Q16 * 16u)
+#define GREATEST_SPACING (QV_ONE_Q16 * 256u)
+
+/* Every offset within the memory must fit a qv_offset, which is signed. */
+#define OFFSET_BITS (8u * sizeof(qv_offset) - 1u)
 
 static uint32_t magnitude(int32_t v)
 {
@@ -30,18 +33,18 @@ static uint64_t span(const uint16_t size[3], const int32_t stride[3], uint32_t l
 qv_status qv_layout_check(const uint16_t size[3], const int32_t stride[3], uint64_t bytes,
                           uint32_t element_bytes, uint32_t alignment)
 {
-    for (unsigned axis = 0; axis < 3; axis++)
-        if (size[axis] == 0 || size[axis] > QV_AXIS_MAX)
-            return QV_ERROR_SIZE;
     for (unsigned axis = 0; axis < 3; axis++) {
         uint32_t step = magnitude(stride[axis]);
+        if (size[axis] == 0 || size[axis] > QV_AXIS_MAX)
+            return QV_ERROR_SIZE;
         if (size[axis] == 1)
             continue;
         if ((step & (alignment - 1u)) != 0 ||
             span(size, stride, step, element_bytes) > fx_wide_product(step, size[axis]))
             return QV_ERROR_STRIDE;
     }
-    return span(size, stride, 0xFFFFFFFFu, element_bytes) > bytes ? QV_ERROR_STRIDE : QV_OK;
+    uint64_t all = span(size, stride, 0xFFFFFFFFu, element_bytes);
+    return all > bytes || all >> OFFSET_BITS != 0 ? QV_ERROR_STRIDE : QV_OK;
 }
 
 qv_status qv_spacing_check(const uint32_t spacing[3])

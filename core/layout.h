@@ -13,7 +13,7 @@
 qv_status qv_layout_check(const uint16_t size[3], const int32_t stride[3], uint64_t bytes,
                           uint32_t element_bytes, uint32_t alignment);
 
-/* Whether each spacing is 0 or 1/16 .. 16. QV_OK, QV_ERROR_SPACING. */
+/* Whether each spacing is 0 or 1/16 .. 256. QV_OK, QV_ERROR_SPACING. */
 qv_status qv_spacing_check(const uint32_t spacing[3]);
 
 /* The spacing of an axis: Q16.16, with 0 read as 1. */

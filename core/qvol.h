@@ -25,14 +25,14 @@
  *   value in every rectangle, strip or row that contains it.
  * Samples. The samples of a ray lie on the grid s = (k + phase) * step, k an
  *   integer, with the step a length in world units and the caller's phase in
- *   [0, 1). s is measured along the ray: from the plane through the centre of
- *   the frame's geometry (orthographic: k of either sign) or from the eye
- *   (perspective: k >= 0). A sample belongs to the ray where its point lies in
- *   the box; so neighbouring rays and neighbouring bricks share one grid.
- * Segments. A sample stands for the stretch of one step centred on it. The
- *   first and the last sample stand for whole steps too; a mode that weighs
- *   opacity by length (none in this version) lets the first stretch begin, and
- *   the last end, exactly at the box.
+ *   [0, 1). s is measured along the ray: from the camera's origin plane
+ *   (orthographic: k of either sign; the cameras of qv_orthographic put it
+ *   through the centre of the box) or from the eye (perspective: k >= 0).
+ * Segments. A sample stands for the stretch of one step centred on it. The modes
+ *   of this version do not know lengths: they take a sample where its point lies
+ *   in the box, and take it for a whole step. A mode that weighs opacity by
+ *   length takes each stretch that overlaps the box, with the length of the
+ *   overlap, so that the stretches of a ray add up to its way through the box.
  * Reconstruction reads the sample's point rounded to 1/256 voxel on each axis,
  *   to nearest, ties upwards; rays advance in steps of 2^-32 voxel.
  * Colour. 255 of 8 bits and 65535 of 16 bits are exactly 1. Stored colours are
@@ -90,7 +90,7 @@ typedef enum qv_status {
     QV_ERROR_SIZE = -3,      /* an axis is 0 or longer than QV_AXIS_MAX */
     QV_ERROR_STRIDE = -4,    /* strides overlap, are odd for 16-bit data, or leave the memory */
     QV_ERROR_PALETTE = -5,   /* palette missing, or not of 256 entries */
-    QV_ERROR_SPACING = -6,   /* spacing outside 1/16 .. 16 */
+    QV_ERROR_SPACING = -6,   /* spacing outside 1/16 .. 256 */
     QV_ERROR_STEP = -7,      /* step out of range */
     QV_ERROR_UNIT = -8,      /* unit distance differs from the step */
     QV_ERROR_CAMERA = -9,    /* matrix degenerate or out of range */
@@ -137,7 +137,7 @@ typedef struct qv_volume {
     qv_address occupancy;   /* reserved for empty-space structures: null */
     uint64_t voxels_bytes;  /* memory that the voxels span, from the lowest byte to the highest */
     uint32_t palette_bytes; /* QV_PALETTE8_BYTES or QV_PALETTE16_BYTES; 0 without palette */
-    uint32_t spacing[3];    /* world units per voxel, Q16.16, 1/16 .. 16; 0 means 1 */
+    uint32_t spacing[3];    /* world units per voxel, Q16.16, 1/16 .. 256; 0 means 1 */
     uint32_t unit_distance; /* world length for which opacities hold, Q16.16; 0: the step */
     int32_t stride[3];      /* bytes to the next voxel on x, y, z; any order, any sign, even for
                                16-bit data. The axes must nest: sorted by size, each stride is at
@@ -157,15 +157,20 @@ qv_status qv_volume_check(const qv_volume *volume);
 typedef int64_t qv_coord;  /* voxel or world coordinate, Q31.32 */
 typedef uint32_t qv_angle; /* 2^32 is a full turn */
 
+struct qv_camera;
 struct qv_context;
 struct qv_ray;
 
-/* Makes the ray of a pixel; the library's own are the two below. */
-typedef void qv_ray_setup(struct qv_ray *ray, const struct qv_context *context, int32_t x,
-                          int32_t y);
-void qv_ray_orthographic(struct qv_ray *ray, const struct qv_context *context, int32_t x,
-                         int32_t y);
-void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y);
+/*
+ * How rays leave the frame: side by side, or from an eye. The caller names one of
+ * the two, and only that one is linked. The fields are the library's own.
+ */
+typedef struct qv_projection {
+    void (*ray)(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y);
+    int (*in_range)(const struct qv_camera *camera);
+} qv_projection;
+
+extern const qv_projection qv_projection_orthographic, qv_projection_perspective;
 
 /*
  * A camera: where the ray of pixel (x, y) goes. Fill it with qv_orthographic or
@@ -178,18 +183,19 @@ void qv_ray_perspective(struct qv_ray *ray, const struct qv_context *context, in
  *                 p = origin + (k + phase)*pace * v/|v|,  k >= 0, by component
  *
  * Ranges. Of both: |origin| <= 2^20 voxels, |across| and |down| <= 2^12.
- * Orthographic: |along| <= 2^8 voxels, its largest component >= 2^-8; samples
- * lie at -2^22 <= k < 2^22. Perspective: 2^-8 <= pace <= 2^8, |origin| <= 2^20 *
- * pace (so that k < 2^22 in the volume), |along| <= 2^20; pixels whose |v| is
- * below 2^-16 on every axis show the background, as do all where pace is 0.
+ * Orthographic: |along| <= 2^8 voxels, its largest component >= 2^-9; samples
+ * lie at -2^22 <= k < 2^22. Perspective: 2^-8 <= pace <= 2^8, |origin| <= 2^20
+ * pace (so that k < 2^22 in the volume), |along| <= 2^20;
+ * pixels whose |v| is below 2^-16 on every axis show the background.
  *
  * across, down and along must be independent: the determinant of the three, each
  * scaled by a power of 2 that takes its largest component to 1/2 .. 1, is at
- * least 2^-14 in magnitude. (Vectors shorter than 2^-17 count as too short.)
+ * least 2^-14 in magnitude. (Vectors shorter than 2^-17 count as too short; the
+ * rotations of a view pass where no spacing is more than 32 times another.)
  */
 typedef struct qv_camera {
-    qv_ray_setup *ray; /* qv_ray_orthographic or qv_ray_perspective */
-    uint32_t step;     /* length of the step in world units, Q16.16, not 0 */
+    const qv_projection *projection;
+    uint32_t step; /* length of the step in world units, Q16.16, not 0 */
     qv_coord origin[3];
     qv_coord across[3];
     qv_coord down[3];
@@ -231,9 +237,13 @@ typedef struct qv_view {
  * the bottom edge, 1 .. 150 degrees; the eye lies where the plane through the
  * volume's centre shows at the view's pitch.
  *
- * No sample is farther than 2^-11 voxel from the real-arithmetic ray of the
- * same view, before its rounding to 1/256 voxel; with that rounding no farther
- * than 1/256 voxel.
+ * A sample at the distance s from the eye, or from the plane through the centre,
+ * lies within 2^-12 + 2^-29 * s / (least spacing) voxel of the real-arithmetic ray
+ * of the same view, and within 1/256 voxel once its point is rounded, where s is at
+ * most 2^17 times the least spacing (every view of a cubic volume of 4096 voxels
+ * an axis, from 1.8 degrees of field). Along its ray a perspective sample may
+ * besides be off by 2^-28 / sin(field_of_view / 2) of the eye's distance, as the
+ * eye itself is.
  *
  * Return QV_OK or QV_ERROR_NULL, _SPACING, _VIEW (also, in perspective, a frame
  * higher than 65535 world units), _STEP. Whether the volume's size is in range,
@@ -269,12 +279,13 @@ typedef struct qv_sampling {
  *
  * Weights have 16 fraction bits and sum to exactly 1; only the product xyz is
  * rounded. Sums of 8-bit storage are exact (32 bits), those of 16-bit storage
- * at most 2^-29 low. A cell whose eight opacities are 0 costs no multiplication.
+ * at most 2^-29 low. A cell whose eight opacities are 0 is skipped before any
+ * multiplication of weights, opacities or colours.
  *
  * front_to_back modes end a ray at the context's termination threshold
  * (equations 5, 6 and 8); back_to_front modes (equation 7) take every sample.
  * Light and transmittance accumulate with 31 fraction bits, rounding to
- * nearest at each sample, so n samples cost at most n * 2^-32.
+ * nearest: n samples cost at most n * 2^-32, back to front 2 n * 2^-32 of light.
  */
 extern const qv_sampling qv_nearest_rgba8, qv_nearest_rgba16;
 extern const qv_sampling qv_nearest_indexed8, qv_nearest_indexed8_16;
@@ -318,14 +329,14 @@ extern const qv_format qv_format_mono_horizontal; /* 8 pixels a byte, the leftmo
 extern const qv_format qv_format_mono_vertical;   /* 8 rows a byte, the topmost in the LSB */
 
 /* Bytes of one row of pixels, without padding: (width * bits + 7) / 8. */
-size_t qv_row_bytes(const qv_format *format, uint16_t width);
+uint32_t qv_row_bytes(const qv_format *format, uint16_t width);
 
 /* ---- Rendering ---------------------------------------------------------- */
 
 typedef struct qv_scene {
     const qv_sampling *sampling; /* must read the volume's storage */
     uint16_t phase;              /* of the sample grid, Q0.16 of a step */
-    uint16_t termination;        /* transmittance, 65535 is 1, at or below which a front-to-back ray
+    uint16_t termination;        /* transmittance, Q0.16, at or below which a front-to-back ray
                                     ends; 0: only where nothing more can be seen.
                                     QV_TERMINATION_DEFAULT costs at most 1/4 of an 8-bit level */
     uint8_t background[4];       /* R, G, B (unweighted) and opacity; all 0: transparent */
@@ -377,7 +388,7 @@ qv_status qv_render(const qv_image *image, const qv_context *context, const qv_r
  * until it returns QV_OK. Each call renders at most max_pixels pixels, row by row
  * from the top, and returns QV_MORE while pixels remain; a
  * caller may stop at any time. The pixels are those of qv_render. A ray takes
- * at most 2^23 samples. Returns QV_OK, QV_MORE, or QV_ERROR_NULL, _RECT (also
+ * at most 2^22 samples. Returns QV_OK, QV_MORE, or QV_ERROR_NULL, _RECT (also
  * for a progress outside the rectangle), _BUFFER.
  */
 typedef struct qv_progress {

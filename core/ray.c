@@ -34,15 +34,10 @@ static int32_t quotient(qv_coord n, uint64_t d)
     return n < 0 ? -1 - (int32_t)q : (int32_t)q;
 }
 
-static void narrow(range *k, int32_t first, int32_t last)
-{
-    if (k->first < first)
-        k->first = first;
-    if (k->last > last)
-        k->last = last;
-}
-
-/* Keeps the k with 0 <= place + k * advance < size. */
+/*
+ * Keeps the k with 0 <= place + k * advance < size. Seen from the slab's other
+ * face, at size - 1 - place, a ray that runs downwards runs upwards.
+ */
 static void narrow_to_slab(range *k, qv_coord place, qv_coord advance, qv_coord size)
 {
     if (advance == 0) {
@@ -50,12 +45,16 @@ static void narrow_to_slab(range *k, qv_coord place, qv_coord advance, qv_coord 
             k->last = k->first - 1;
         return;
     }
-    uint64_t pace = advance < 0 ? 0u - (uint64_t)advance : (uint64_t)advance;
-    int32_t low = quotient(place, pace), high = quotient(place - size, pace);
-    if (advance > 0)
-        narrow(k, -low, -1 - high);
-    else
-        narrow(k, high + 1, low);
+    uint64_t pace = (uint64_t)advance;
+    if (advance < 0) {
+        pace = 0u - pace;
+        place = size - 1 - place;
+    }
+    int32_t first = -quotient(place, pace), last = -1 - quotient(place - size, pace);
+    if (k->first < first)
+        k->first = first;
+    if (k->last > last)
+        k->last = last;
 }
 
 void qv_ray_clip(qv_ray *ray, const uint16_t size[3], int32_t first)

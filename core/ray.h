@@ -29,6 +29,10 @@ typedef struct qv_ray {
  */
 void qv_ray_clip(qv_ray *ray, const uint16_t size[3], int32_t first);
 
+/* The rays of qv_projection_orthographic and qv_projection_perspective. */
+void qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);
+void qv_ray_perspective(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);
+
 /* The point of pixel (x, y): base + x*across + y*down. |x|, |y| < 2^15 and
    components within the ranges of qv_camera keep it below 2^61. */
 static inline qv_coord qv_pixel_point(const qv_coord base[3], const qv_camera *camera,

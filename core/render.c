@@ -23,7 +23,7 @@ static void render_pixel(qv_pixel *pixel, qv_progress *progress, const qv_contex
 {
     qv_ray ray;
     qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
-    context->scene.camera.ray(&ray, context, x, y);
+    context->scene.camera.projection->ray(&ray, context, x, y);
     progress->samples += ray.samples;
     if (ray.samples != 0)
         context->scene.sampling->march(&light, &ray, context);
@@ -67,6 +67,11 @@ qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_
 
 qv_status qv_render(const qv_image *image, const qv_context *context, const qv_rect *rect)
 {
-    qv_progress progress = {0, 0, 0, 0, 0};
+    qv_progress progress;
+    progress.column = 0;
+    progress.line = 0;
+    progress.terminated = 0;
+    progress.samples = 0;
+    progress.skipped = 0;
     return qv_render_some(image, &progress, context, rect, 0xFFFFFFFFu);
 }

@@ -20,13 +20,20 @@ typedef struct qv_sample {
 typedef int qv_mode(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
                     unsigned storage);
 
-/* Whether one of a cell's corners has any opacity. */
+FX_INLINE uint32_t qv_opacity_bits(qv_address entry, unsigned storage)
+{
+    return fx_channel_bits(qv_channel(entry, 3, storage));
+}
+
+/* Whether one of a cell's corners has any opacity. Written out, as qv_corners is:
+   most samples come no farther, and compilers keep short loops as loops. */
 FX_INLINE int qv_any_opacity(const qv_address corner[8], unsigned storage)
 {
-    uint32_t any = 0;
-    for (unsigned i = 0; i < 8; i++)
-        any |= fx_channel_bits(qv_channel(corner[i], 3, storage));
-    return any != 0;
+    uint32_t low = qv_opacity_bits(corner[0], storage) | qv_opacity_bits(corner[1], storage) |
+                   qv_opacity_bits(corner[2], storage) | qv_opacity_bits(corner[3], storage);
+    uint32_t high = qv_opacity_bits(corner[4], storage) | qv_opacity_bits(corner[5], storage) |
+                    qv_opacity_bits(corner[6], storage) | qv_opacity_bits(corner[7], storage);
+    return (low | high) != 0;
 }
 
 /* What colours are multiplied with: their voxel's share of the sample's opacity

@@ -68,7 +68,7 @@ static void uniform_scene(qv_scene *scene, memory *voxels, uint16_t (*palette)[4
     scene->camera.down[1] = one;
     scene->camera.along[2] = one;
     scene->camera.step = QV_ONE_Q16;
-    scene->camera.ray = qv_ray_orthographic;
+    scene->camera.projection = &qv_projection_orthographic;
     scene->sampling = indexed ? &qv_weighted_indexed8_16 : &qv_weighted_rgba16;
 }
 

@@ -31,7 +31,7 @@ static void row_scene(qv_scene *scene, unsigned char (*voxels)[4], uint16_t dept
     scene->camera.across[0] = one;
     scene->camera.down[1] = one;
     scene->camera.along[2] = one;
-    scene->camera.ray = qv_ray_orthographic;
+    scene->camera.projection = &qv_projection_orthographic;
     scene->phase = phase;
 }
 

@@ -147,7 +147,7 @@ static void border_scene(qv_scene *scene, const matter *of, const kind *as, uint
     scene->camera.down[1] = one;
     scene->camera.along[2] = one;
     scene->camera.step = QV_ONE_Q16;
-    scene->camera.ray = qv_ray_orthographic;
+    scene->camera.projection = &qv_projection_orthographic;
 }
 
 /* ---- Rays ------------------------------------------------------------------ */
@@ -160,7 +160,7 @@ static void march(double light[4], qv_scene *scene, const kind *as, const qv_sam
     qv_ray ray;
     scene->sampling = sampling;
     assert_int_equal(qv_init(&context, scene), QV_OK);
-    scene->camera.ray(&ray, &context, 0, 0);
+    scene->camera.projection->ray(&ray, &context, 0, 0);
     sampling->march(&gathered, &ray, &context);
     for (int channel = 0; channel < 3; channel++) {
         light[channel] = gathered.colour[channel] / as->unit;

@@ -187,7 +187,7 @@ static void stored_perspective(ref_ray *ray, const qv_scene *scene, int32_t x, i
 
 void ref_stored_ray(ref_ray *ray, const qv_scene *scene, int32_t x, int32_t y)
 {
-    if (scene->camera.ray == qv_ray_perspective) {
+    if (scene->camera.projection == &qv_projection_perspective) {
         stored_perspective(ray, scene, x, y);
     } else {
         stored_orthographic(ray, scene, x, y);

@@ -10,10 +10,15 @@ typedef enum projection { ORTHOGRAPHIC, PERSPECTIVE } projection;
 /* One voxel from pixel to pixel and from sample to sample. */
 static qv_camera by_hand(projection kind)
 {
-    qv_camera camera = {qv_ray_orthographic, QV_ONE_Q16,    {0, 0, 0}, {VOXEL, 0, 0},
-                        {0, VOXEL, 0},       {0, 0, VOXEL}, {0, 0, 0}};
+    qv_camera camera = {&qv_projection_orthographic,
+                        QV_ONE_Q16,
+                        {0, 0, 0},
+                        {VOXEL, 0, 0},
+                        {0, VOXEL, 0},
+                        {0, 0, VOXEL},
+                        {0, 0, 0}};
     if (kind == PERSPECTIVE) {
-        camera.ray = qv_ray_perspective;
+        camera.projection = &qv_projection_perspective;
         camera.pace[0] = camera.pace[1] = camera.pace[2] = VOXEL;
     }
     return camera;
@@ -29,7 +34,7 @@ static void no_ray_function(void **state)
     qv_camera camera = by_hand(ORTHOGRAPHIC);
     (void)state;
 
-    camera.ray = NULL;
+    camera.projection = NULL;
     expect(&camera, QV_ERROR_NULL);
 }
 
@@ -56,7 +61,8 @@ static void vectors_too_long(void **state)
     for (int kind = ORTHOGRAPHIC; kind <= PERSPECTIVE; kind++) {
         qv_camera camera = by_hand((projection)kind);
         for (unsigned axis = 0; axis < 3; axis++) {
-            expect_limit(&camera, &camera.origin[axis], VOXEL << 20);
+            expect_limit(&camera, &camera.origin[axis],
+                         VOXEL << 20);
             camera.origin[axis] = 0;
         }
         expect_limit(&camera, &camera.across[0], VOXEL << 12);
@@ -101,16 +107,16 @@ static void paces_out_of_range(void **state)
     }
 }
 
-/* Without pace, along leads from sample to sample: 2^-8 voxel on some axis. */
+/* In orthographic cameras along leads from sample to sample: 2^-9 voxel on some axis. */
 static void steps_too_short(void **state)
 {
     qv_camera camera = by_hand(ORTHOGRAPHIC);
     (void)state;
 
     for (int sign = -1; sign <= 1; sign += 2) {
-        camera.along[2] = sign * (VOXEL / 256);
+        camera.along[2] = sign * (VOXEL / 512);
         expect(&camera, QV_OK);
-        camera.along[2] = sign * (VOXEL / 256 - 1);
+        camera.along[2] = sign * (VOXEL / 512 - 1);
         expect(&camera, QV_ERROR_CAMERA);
     }
     camera = by_hand(PERSPECTIVE);
@@ -152,7 +158,7 @@ static void a_camera_of_zeros(void **state)
 
     memset(&camera, 0, sizeof camera);
     expect(&camera, QV_ERROR_NULL);
-    camera.ray = qv_ray_orthographic;
+    camera.projection = &qv_projection_orthographic;
     expect(&camera, QV_ERROR_CAMERA);
     camera.pace[0] = camera.pace[1] = camera.pace[2] = VOXEL;
     expect(&camera, QV_ERROR_CAMERA);

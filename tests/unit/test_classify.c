@@ -367,7 +367,7 @@ static void bad_scalars_are_refused(void **state)
     bad[5].scalars.stride[1] -= 1;
     bad[6].scalars.values_bytes -= 1;
     bad[7].scalars.spacing[0] = 4095;
-    bad[8].scalars.spacing[2] = (1u << 20) + 1;
+    bad[8].scalars.spacing[2] = (256u << 16) + 1;
     for (unsigned i = 0; i < 9; i++)
         expect_bad(&bad[i], expected[i]);
 }

@@ -34,7 +34,7 @@ static void make_by_hand(void)
 {
     fixture_make(&f, &qv_nearest_rgba8, 1);
     memset(camera, 0, sizeof *camera);
-    camera->ray = qv_ray_perspective;
+    camera->projection = &qv_projection_perspective;
     camera->step = QV_ONE_Q16;
     for (unsigned axis = 0; axis < 3; axis++) {
         camera->origin[axis] = f.scene.volume.size[axis] * HALF;
@@ -138,16 +138,6 @@ static void nothing_behind_the_eye(void **state)
 
 /* ---- Directions that make no ray ---- */
 
-static void without_pace_no_samples(void **state)
-{
-    (void)state;
-
-    make_by_hand();
-    assert_true(ray_of(1, 2).samples != 0);
-    camera->pace[0] = camera->pace[1] = camera->pace[2] = 0;
-    assert_int_equal(ray_of(1, 2).samples, 0);
-}
-
 /* Below 2^-16 on every axis. */
 static void directions_too_short(void **state)
 {
@@ -190,7 +180,6 @@ int main(void)
         cmocka_unit_test(directions_are_near_the_real_ones),
         cmocka_unit_test(samples_start_at_the_eye),
         cmocka_unit_test(nothing_behind_the_eye),
-        cmocka_unit_test(without_pace_no_samples),
         cmocka_unit_test(directions_too_short),
         cmocka_unit_test(lengths_of_directions_do_not_matter),
     };

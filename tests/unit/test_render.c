@@ -166,7 +166,7 @@ static void expect_pixels(const uint8_t rgba[4], int within_box)
     for (int32_t y = 0; y < FIXTURE_HEIGHT; y++)
         for (int32_t x = 0; x < FIXTURE_WIDTH; x++) {
             qv_ray ray;
-            context.scene.camera.ray(&ray, &context, x, y);
+            context.scene.camera.projection->ray(&ray, &context, x, y);
             if ((ray.samples != 0) != within_box)
                 continue;
             compared++;

@@ -39,7 +39,7 @@ static void null_pointers(void **state)
     scene->volume.voxels = NULL;
     expect(QV_ERROR_NULL);
     make();
-    scene->camera.ray = NULL;
+    scene->camera.projection = NULL;
     expect(QV_ERROR_NULL);
 }
 

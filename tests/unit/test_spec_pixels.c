@@ -28,7 +28,7 @@ static qv_scene column_scene(const uint8_t voxels[VOXELS][4])
                    .stride = {4, 4, 4},
                    .size = {1, 1, VOXELS},
                    .storage = QV_STORAGE_RGBA8},
-        .camera = {.ray = qv_ray_orthographic,
+        .camera = {.projection = &qv_projection_orthographic,
                    .step = 65536,
                    .origin = {VOXEL / 2, VOXEL / 2, VOXEL / 2},
                    .across = {VOXEL, 0, 0},

@@ -319,8 +319,8 @@ static void palettes_that_lack_or_should(void **state)
 
 static void spacing_out_of_range(void **state)
 {
-    static const uint32_t bad[] = {1, QV_ONE_Q16 / 16 - 1, QV_ONE_Q16 * 16 + 1, UINT32_MAX};
-    static const uint32_t good[] = {0, QV_ONE_Q16 / 16, QV_ONE_Q16, QV_ONE_Q16 * 16};
+    static const uint32_t bad[] = {1, QV_ONE_Q16 / 16 - 1, QV_ONE_Q16 * 256 + 1, UINT32_MAX};
+    static const uint32_t good[] = {0, QV_ONE_Q16 / 16, QV_ONE_Q16, QV_ONE_Q16 * 256};
     (void)state;
 
     for (unsigned axis = 0; axis < 3; axis++)
