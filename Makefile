@@ -49,12 +49,17 @@ $(LIBRARY): $(LIBRARY_OBJECTS)
 	@echo "  AR  $@"
 	@$(TARGET_AR) rcs $@ $^
 
-$(OUT)/core/%.o: core/%.c
+# Objects depend on their options: these are kept in a file that changes when they do.
+OPTIONS := $(OUT)/options
+$(shell mkdir -p $(OUT); echo '$(TARGET_CC) $(LIBRARY_CFLAGS)' | cmp -s - $(OPTIONS) || \
+	echo '$(TARGET_CC) $(LIBRARY_CFLAGS)' > $(OPTIONS))
+
+$(OUT)/core/%.o: core/%.c $(OPTIONS)
 	@mkdir -p $(@D)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
 
-$(OUT)/fixedpoint/%.o: fixedpoint/%.c
+$(OUT)/fixedpoint/%.o: fixedpoint/%.c $(OPTIONS)
 	@mkdir -p $(@D)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
@@ -64,7 +69,7 @@ $(OUT)/fixedpoint/%.o: fixedpoint/%.c
 # ---- What runs on the library -------------------------------------------------
 
 ifeq ($(TARGET),host)
--include port/host/host.mk
+include port/host/host.mk
 include tests/tests.mk
 else
 include toolchain/device.mk

@@ -37,4 +37,4 @@ static inline uint16_t qv_read16(qv_address address)
 void *memcpy(void *restrict to, const void *restrict from, size_t count);
 void *memset(void *to, int value, size_t count);
 
-#endif /* QV_MEMORY_H */
+#endif /* QV_ACCESS_H */

@@ -31,12 +31,12 @@ static qv_coord eye_distance(uint32_t height_q16, int32_t sine, int32_t cosine)
 }
 
 /* A world length as voxels: v / spacing, to nearest; v in Q31.32, |v| < 2^55, and
-   spacing Q16.16 of 2^12 .. 2^20. */
+   spacing Q16.16 of 2^12 .. 2^24. */
 static qv_coord to_voxels(qv_coord v, uint32_t spacing)
 {
     uint64_t size = v < 0 ? 0u - (uint64_t)v : (uint64_t)v;
     uint64_t whole = fx_divide(size, spacing); /* Q47.16, < 2^43 */
-    /* < spacing, so rest * 2^16 < 2^36 */
+    /* < spacing, so rest * 2^16 < 2^40 */
     uint64_t rest = size - (uint64_t)fx_multiply((int64_t)whole, (int32_t)spacing);
     uint64_t voxels = (whole << 16) + fx_divide((rest << 16) + (spacing >> 1), spacing);
     return v < 0 ? -(qv_coord)voxels : (qv_coord)voxels;

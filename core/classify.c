@@ -19,7 +19,7 @@ typedef struct pass {
     const qv_shader *shader; /* null: none */
     int32_t low;
     uint32_t window; /* high - low: 1 .. 196607 */
-    qv_storage storage;
+    uint8_t storage;
 } pass;
 
 /* round(255 * (s - low) / window), ties upwards, clamped. */
@@ -47,7 +47,7 @@ static int32_t difference(const qv_scalars *scalars, qv_address at, unsigned axi
 static void colour(uint16_t rgba[4], const pass *p, qv_address at, const uint16_t position[3],
                    uint32_t index)
 {
-    memcpy(rgba, (*p->transfer)[index], 4 * sizeof rgba[0]);
+    memcpy(rgba, p->transfer->rgba[index], 4 * sizeof rgba[0]);
     if (p->shader) {
         int32_t d[3];
         for (unsigned axis = 0; axis < 3; axis++)
@@ -57,7 +57,7 @@ static void colour(uint16_t rgba[4], const pass *p, qv_address at, const uint16_
 }
 
 /* Stores one voxel; the output needs no alignment. */
-static void store(uint8_t *voxel, qv_storage storage, const uint16_t rgba[4])
+static void store(uint8_t *voxel, uint8_t storage, const uint16_t rgba[4])
 {
     if (storage == QV_STORAGE_RGBA16) {
         memcpy(voxel, rgba, 4 * sizeof rgba[0]);
@@ -100,7 +100,7 @@ static qv_status check_block(const qv_block *block, const uint16_t size[3])
 }
 
 /* Bytes that a checked block fills: at most 2^36 * 8. */
-static uint64_t block_bytes(const qv_block *block, qv_storage storage)
+static uint64_t block_bytes(const qv_block *block, uint8_t storage)
 {
     uint32_t extent[3];
     for (unsigned axis = 0; axis < 3; axis++)
@@ -119,8 +119,8 @@ static qv_status check_source(const qv_classifier *classifier)
     return status;
 }
 
-qv_status qv_classify(void *voxels, size_t bytes, qv_storage storage,
-                      const qv_classifier *classifier, const qv_block *block)
+qv_status qv_classify(void *voxels, size_t bytes, uint8_t storage, const qv_classifier *classifier,
+                      const qv_block *block)
 {
     if (!voxels || !classifier || !block)
         return QV_ERROR_NULL;

@@ -5,7 +5,7 @@
 #include "access.h"
 #include "unit_vector.h"
 
-/* sum += n * factor. The caller knows that the sum stays below 2^192. */
+/* sum += n * factor. The caller knows that the sum stays below 2^224. */
 static void add_product(uint32_t sum[QV_SQUARE_WORDS], const uint32_t n[QV_SQUARE_WORDS],
                         uint32_t factor)
 {
@@ -40,15 +40,15 @@ void qv_gradient_init(qv_gradient *gradient, const uint32_t spacing[3], uint16_t
                       uint32_t window)
 {
     memset(gradient, 0, sizeof *gradient);
-    gradient->least[0] = 1; /* grows to (2^16 * 2^18 * 2^60)^2 = 2^188 at most */
+    gradient->least[0] = 1; /* grows to (2^16 * 2^18 * 2^72)^2 = 2^212 at most */
     multiply_twice(gradient->least, least);
     multiply_twice(gradient->least, window);
     for (unsigned axis = 0; axis < 3; axis++) {
-        uint32_t next = qv_spacing(spacing, (axis + 1) % 3); /* <= 2^20 */
+        uint32_t next = qv_spacing(spacing, (axis + 1) % 3); /* <= 2^24 */
         uint32_t after = qv_spacing(spacing, (axis + 2) % 3);
 
         gradient->scale[axis] = fx_wide_product(next, after);
-        gradient->square[axis][0] = 1; /* grows to 2^(80 + 46) at most */
+        gradient->square[axis][0] = 1; /* grows to 2^(96 + 46) at most */
         multiply_twice(gradient->square[axis], next);
         multiply_twice(gradient->square[axis], after);
         multiply_twice(gradient->square[axis], (uint32_t)1 << 23);
@@ -58,7 +58,7 @@ void qv_gradient_init(qv_gradient *gradient, const uint32_t spacing[3], uint16_t
 
 int qv_gradient_normal(int32_t normal[3], const qv_gradient *gradient, const int32_t difference[3])
 {
-    uint32_t sum[QV_SQUARE_WORDS] = {0}; /* <= 3 * 2^(32 + 126) < 2^160 */
+    uint32_t sum[QV_SQUARE_WORDS] = {0}; /* <= 3 * 2^(32 + 142) < 2^176 */
     uint32_t any = 0;
     for (unsigned axis = 0; axis < 3; axis++) {
         uint32_t size = (uint32_t)(difference[axis] < 0 ? -difference[axis] : difference[axis]);

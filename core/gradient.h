@@ -7,8 +7,8 @@
 
 #include <stdint.h>
 
-/* Words of a number below 2^192, the lowest first. */
-#define QV_SQUARE_WORDS 6
+/* Words of a number below 2^224, the lowest first. */
+#define QV_SQUARE_WORDS 7
 
 /*
  * What a gradient is measured by. With S the spacing in Q16.16, d[a] the
@@ -20,7 +20,7 @@
  *   square[x] = (S[y] * S[z])^2 * 2^46, ...   least = (L * W * S[x]*S[y]*S[z])^2
  */
 typedef struct qv_gradient {
-    uint64_t scale[3]; /* S[y]*S[z], ...: at most 2^40 */
+    uint64_t scale[3]; /* S[y]*S[z], ...: at most 2^48 */
     uint32_t square[3][QV_SQUARE_WORDS];
     uint32_t least[QV_SQUARE_WORDS];
 } qv_gradient;

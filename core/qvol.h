@@ -318,9 +318,10 @@ typedef struct qv_format {
                            qv_format_mono_vertical, else 0 */
 } qv_format;
 
-extern const qv_format qv_format_rgba8888;  /* R, G, B, A; associated colour */
-extern const qv_format qv_format_bgra8888;  /* B, G, R, A; associated colour */
-extern const qv_format qv_format_rgb888;    /* R, G, B */
+extern const qv_format qv_format_rgba8888; /* R, G, B, A; associated colour */
+extern const qv_format
+    qv_format_bgra8888;                  /* B, G, R, A; associated: LVGL's ARGB8888_PREMULTIPLIED */
+extern const qv_format qv_format_rgb888; /* R, G, B */
 extern const qv_format qv_format_rgb565_le; /* 16 bits, R in the highest 5; low byte first */
 extern const qv_format qv_format_rgb565_be; /* the same; high byte first */
 extern const qv_format qv_format_l8;        /* grey */
@@ -368,7 +369,9 @@ typedef struct qv_rect { /* half-open: left <= x < right, top <= y < bottom */
  * next row of bytes follows at pixels + stride, which may be negative (then
  * the rows lie below pixels). bytes counts the memory that the rows may use:
  * from pixels upwards, or with a negative stride from the lowest row to the
- * end of the first. Only the bits of the rectangle's pixels are changed.
+ * end of the first. Only the bits of the rectangle's pixels are changed. Pixels
+ * narrower than a byte are counted from the rectangle's corner too: its left
+ * column takes the first bits of a row, its top row bit 0 of a mono_vertical page.
  */
 typedef struct qv_image {
     void *pixels;
@@ -406,7 +409,9 @@ qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_
 
 /* A transfer table: 256 entries R,G,B,A of 16 bits, unweighted colours. As it
    stands it is the palette of QV_STORAGE_INDEXED8_16. */
-typedef uint16_t qv_transfer[QV_PALETTE_ENTRIES][4];
+typedef struct qv_transfer {
+    uint16_t rgba[QV_PALETTE_ENTRIES][4];
+} qv_transfer;
 
 typedef struct qv_control_point {
     uint8_t index;    /* table entry that gets exactly this colour */
@@ -419,10 +424,10 @@ typedef struct qv_control_point {
  * the first and after the last. 32-bit arithmetic. Returns QV_OK or
  * QV_ERROR_NULL, QV_ERROR_TRANSFER (count 0 or above 256, or index not rising).
  */
-qv_status qv_transfer_build(qv_transfer table, const qv_control_point *points, uint16_t count);
+qv_status qv_transfer_build(qv_transfer *table, const qv_control_point *points, uint16_t count);
 
 /* The same table with 8 bits a channel, each rounded to nearest. */
-void qv_transfer_to_palette8(uint8_t palette[QV_PALETTE_ENTRIES][4], qv_transfer table);
+void qv_transfer_to_palette8(uint8_t palette[QV_PALETTE_ENTRIES][4], const qv_transfer *table);
 
 typedef enum qv_scalar_type {
     QV_SCALAR_U8 = 1,
@@ -463,8 +468,9 @@ typedef struct qv_shading {
 /*
  * Classification. A scalar s becomes the table index
  *   round(255 * (s - low) / (high - low)), clamped to 0 .. 255,
- * where low and high are level -+ window/2. Then the table gives colour and
- * opacity, shading changes the colour, and the voxel is stored.
+ * where a window about a level has low = level - window/2, high = level +
+ * window/2. Then the table gives colour and opacity, shading changes the colour,
+ * and the voxel is stored.
  */
 typedef struct qv_classifier {
     qv_scalars scalars;
@@ -488,15 +494,16 @@ typedef struct qv_block {
  * Returns QV_OK or QV_ERROR_NULL, _STORAGE, _SIZE (also an empty block or one
  * outside the volume), _STRIDE, _SPACING, _WINDOW, _LIGHT, _BUFFER.
  */
-qv_status qv_classify(void *voxels, size_t bytes, qv_storage storage,
-                      const qv_classifier *classifier, const qv_block *block);
+qv_status qv_classify(void *voxels, size_t bytes, uint8_t storage, const qv_classifier *classifier,
+                      const qv_block *block);
 
 /*
  * Reduces scalars by whole factors: each result is the mean of a box of
  * factor[0] x factor[1] x factor[2] values (those of them inside the volume, at
  * its upper faces), rounded to nearest. The result has ceil(size/factor) values
  * an axis, tightly packed, in the same type; slices first_z <= z < end_z of it
- * are written. Factors 1 .. 64. Returns QV_OK or QV_ERROR_NULL, _STORAGE (type),
+ * are written. Its spacing is the source's times the factor, so its box is longer
+ * than the source's where a factor does not divide the size. Factors 1 .. 64. Returns QV_OK or QV_ERROR_NULL, _STORAGE (type),
  * _SIZE, _STRIDE, _BUFFER.
  */
 qv_status qv_reduce(void *values, size_t bytes, const qv_scalars *scalars, const uint8_t factor[3],

@@ -18,25 +18,26 @@ static uint16_t between(uint16_t from, uint16_t to, uint32_t t, uint32_t n)
 }
 
 /* Entries from one point up to the next, without it. */
-static void fill_between(qv_transfer table, const qv_control_point *from,
+static void fill_between(qv_transfer *table, const qv_control_point *from,
                          const qv_control_point *to)
 {
     uint32_t n = (uint32_t)to->index - from->index; /* 1 .. 255 */
     for (uint32_t t = 0; t < n; t++)
         for (unsigned channel = 0; channel < 4; channel++)
-            table[from->index + t][channel] = between(from->rgba[channel], to->rgba[channel], t, n);
+            table->rgba[from->index + t][channel] =
+                between(from->rgba[channel], to->rgba[channel], t, n);
 }
 
 /* Entries first <= i < end, all the colour of one point. */
-static void fill_constant(qv_transfer table, const qv_control_point *point, unsigned first,
+static void fill_constant(qv_transfer *table, const qv_control_point *point, unsigned first,
                           unsigned end)
 {
     for (unsigned i = first; i < end; i++)
         for (unsigned channel = 0; channel < 4; channel++)
-            table[i][channel] = point->rgba[channel];
+            table->rgba[i][channel] = point->rgba[channel];
 }
 
-qv_status qv_transfer_build(qv_transfer table, const qv_control_point *points, uint16_t count)
+qv_status qv_transfer_build(qv_transfer *table, const qv_control_point *points, uint16_t count)
 {
     if (!table || !points)
         return QV_ERROR_NULL;
@@ -51,9 +52,9 @@ qv_status qv_transfer_build(qv_transfer table, const qv_control_point *points, u
     return QV_OK;
 }
 
-void qv_transfer_to_palette8(uint8_t palette[QV_PALETTE_ENTRIES][4], qv_transfer table)
+void qv_transfer_to_palette8(uint8_t palette[QV_PALETTE_ENTRIES][4], const qv_transfer *table)
 {
     for (unsigned i = 0; i < QV_PALETTE_ENTRIES; i++)
         for (unsigned channel = 0; channel < 4; channel++)
-            palette[i][channel] = fx_unorm16_to_unorm8(table[i][channel]);
+            palette[i][channel] = fx_unorm16_to_unorm8(table->rgba[i][channel]);
 }

@@ -2,7 +2,7 @@
  * fx_wide.h - the one product of two 32-bit numbers that is wider than 32 bits,
  * and the shifts that round what it leaves.
  *
- * Machines without a 32x32->64 multiplication (Cortex-M0, AVR, RV32I) build it
+ * Machines without a 32x32->64 multiplication (Cortex-M0, M23, AVR, RV32I) build it
  * from four 16x16->32 products; FX_NARROW chooses that form. Both forms give the
  * same bits.
  */
@@ -12,7 +12,8 @@
 #include <stdint.h>
 
 #ifndef FX_NARROW
-#if defined(__ARM_ARCH_6M__) || defined(__AVR__) || (defined(__riscv) && !defined(__riscv_mul))
+#if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__) || defined(__AVR__) ||               \
+    (defined(__riscv) && !defined(__riscv_mul))
 #define FX_NARROW 1
 #else
 #define FX_NARROW 0

@@ -7,7 +7,7 @@ TARGET_SIZE := arm-none-eabi-size
 
 # Optimisation of the library and the firmware: make OPTIMISE=-O3 TARGET=...
 OPTIMISE ?= -Os
-TARGET_CFLAGS := $(TARGET_CPU) $(OPTIMISE) -ffreestanding -ffunction-sections -fdata-sections
+TARGET_CFLAGS := $(TARGET_CPU) $(OPTIMISE) -ffreestanding -ffunction-sections -fdata-sections $(CFLAGS)
 
 # bytes.c defines memcpy and memset: their loops must stay loops.
 TARGET_PORT_CFLAGS := -fno-tree-loop-distribute-patterns -DSYSTICK_HZ=$(TARGET_SYSTICK_HZ)u

@@ -69,10 +69,10 @@ static void make_palette(struct model *model)
     if (model->storage == QV_STORAGE_INDEXED8) {
         model->palette_bytes = QV_PALETTE8_BYTES;
         model->palette = allocate(QV_PALETTE8_BYTES, model->scan.file, "palette");
-        qv_transfer_to_palette8(model->palette, model->table);
+        qv_transfer_to_palette8(model->palette, &model->table);
     } else if (model->storage == QV_STORAGE_INDEXED8_16) {
         model->palette_bytes = QV_PALETTE16_BYTES;
-        model->palette = model->table;
+        model->palette = &model->table;
     }
 }
 
@@ -83,7 +83,7 @@ static void set_classifier(struct model *model)
     classifier->scalars = model->view.scalars;
     classifier->low = model->view.low;
     classifier->high = model->view.high;
-    classifier->transfer = (const qv_transfer *)&model->table;
+    classifier->transfer = &model->table;
     classifier->shading = model->shaded ? &model->shading : NULL;
 }
 
@@ -100,7 +100,7 @@ static void read_scalars(struct model *model, const struct settings *settings,
     }
     transfer_read(&model->transfer,
                   settings->transfer != NULL ? settings->transfer : DEFAULT_TRANSFER);
-    check_status(qv_transfer_build(model->table, model->transfer.points, model->transfer.count),
+    check_status(qv_transfer_build(&model->table, model->transfer.points, model->transfer.count),
                  model, "transfer function");
     scalar_view_create(&model->view, &model->scan, settings);
     model->world_unit = model->view.world_unit;
@@ -220,7 +220,7 @@ void model_free(struct model *model)
         model_free(model->mask);
         free(model->mask);
     }
-    if (model->palette != model->table) {
+    if (model->palette != &model->table) {
         free(model->palette);
     }
     free(model->voxels);

@@ -110,7 +110,7 @@ static void report_transfer(struct json *json, const struct model *model)
     if (!model->classified_before) {
         json_text(json, "name", model->transfer.name);
         json_integer(json, "bits", 16);
-        report_table(json, &model->table[0][0], NULL);
+        report_table(json, &model->table.rgba[0][0], NULL);
     } else if (model->palette != NULL) {
         json_text(json, "name", "palette");
         json_integer(json, "bits", wide ? 16 : 8);

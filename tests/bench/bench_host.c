@@ -33,15 +33,15 @@ static void fill(void)
 {
     const qv_control_point points[] = {
         {8, {0, 0, 0, 0}}, {40, {20000, 40000, 65535, 600}}, {255, {65535, 50000, 20000, 6000}}};
-    qv_transfer_build(palette16, points, 3);
-    qv_transfer_to_palette8(palette8, palette16);
+    qv_transfer_build(&palette16, points, 3);
+    qv_transfer_to_palette8(palette8, &palette16);
     for (size_t i = 0; i < VOXELS; i++) {
         long x = (long)(i % SIZE) - SIZE / 2, y = (long)(i / SIZE % SIZE) - SIZE / 2;
         long z = (long)(i / SIZE / SIZE) - SIZE / 2;
         long square = (x * x + y * y + z * z) * 768 / (SIZE * SIZE / 4);
         indexed[i] = (uint8_t)(square < 768 ? square % 256 : 0);
         memcpy(rgba8[i], palette8[indexed[i]], sizeof rgba8[i]);
-        memcpy(rgba16[i], palette16[indexed[i]], sizeof rgba16[i]);
+        memcpy(rgba16[i], palette16.rgba[indexed[i]], sizeof rgba16[i]);
     }
 }
 
@@ -109,7 +109,7 @@ int main(void)
     qv_scene nearest = scene_for(&qv_nearest_rgba8, rgba8, 4);
     with8.volume.palette = palette8[0];
     with8.volume.palette_bytes = sizeof palette8;
-    const void *entries = palette16;
+    const void *entries = &palette16;
     with16.volume.palette = entries;
     with16.volume.palette_bytes = sizeof palette16;
     puts("| mode, storage | Msamples/s | float, RGBA8 | ratio | largest difference of 255 |");

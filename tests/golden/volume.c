@@ -32,9 +32,9 @@ static void random_colour(uint16_t rgba[4], uint32_t *state, golden_content cont
 static void random_palette(golden_memory *memory, uint32_t *state, golden_content content)
 {
     for (unsigned entry = 0; entry < QV_PALETTE_ENTRIES; entry++)
-        random_colour(memory->table[entry], state, content);
-    memory->table[0][3] = 0;
-    qv_transfer_to_palette8(memory->palette, memory->table);
+        random_colour(memory->table.rgba[entry], state, content);
+    memory->table.rgba[0][3] = 0;
+    qv_transfer_to_palette8(memory->palette, &memory->table);
 }
 
 /* ---- Shapes --------------------------------------------------------------- */
@@ -190,18 +190,18 @@ static qv_status classify(golden_memory *memory, uint32_t *state, const golden_s
                     .type = QV_SCALAR_U16},
         .low = 2000,
         .high = 13000,
-        .transfer = (const qv_transfer *)&memory->table,
+        .transfer = &memory->table,
         .shading = &shading,
     };
     const qv_block whole = {{0, 0, 0}, {size[0], size[1], size[2]}};
-    qv_status status = qv_transfer_build(memory->table, points, sizeof points / sizeof *points);
+    qv_status status = qv_transfer_build(&memory->table, points, sizeof points / sizeof *points);
     if (status != QV_OK)
         return status;
     if (!make_scalars(memory, state, golden))
         return QV_ERROR_BUFFER;
     for (unsigned axis = 0; axis < 3; axis++)
         classifier.scalars.spacing[axis] = golden->spacing[axis];
-    qv_transfer_to_palette8(memory->palette, memory->table);
+    qv_transfer_to_palette8(memory->palette, &memory->table);
     return qv_classify(memory->voxels, sizeof memory->voxels, golden->storage, &classifier, &whole);
 }
 
@@ -213,7 +213,7 @@ static void attach_palette(qv_volume *volume, golden_memory *memory)
         volume->palette = (qv_address)memory->palette;
         volume->palette_bytes = sizeof memory->palette;
     } else if (volume->storage == QV_STORAGE_INDEXED8_16) {
-        volume->palette = (qv_address)memory->table;
+        volume->palette = (qv_address)&memory->table;
         volume->palette_bytes = sizeof memory->table;
     }
 }

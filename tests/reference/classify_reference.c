@@ -128,7 +128,7 @@ void ref_classify(double rgba[4], const qv_classifier *classifier, int x, int y,
     double gradient[3];
 
     for (int c = 0; c < 4; c++)
-        rgba[c] = (*classifier->transfer)[index][c];
+        rgba[c] = classifier->transfer->rgba[index][c];
     if (classifier->shading) {
         ref_gradient(gradient, &classifier->scalars, x, y, z);
         ref_shade(rgba, gradient, classifier->shading, (double)classifier->high - classifier->low);

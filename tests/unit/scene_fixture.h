@@ -68,7 +68,7 @@ static inline void fixture_random(fixture *f, uint32_t seed)
         uint32_t level = random_next(&seed) >> 16;
         if (i % 4 == 3)
             level = level < 0x5555 ? 0 : level / 4;
-        f->palette16[i / 4][i % 4] = (uint16_t)level;
+        f->palette16.rgba[i / 4][i % 4] = (uint16_t)level;
         f->palette8[i / 4][i % 4] = (uint8_t)(level >> 8);
     }
     for (unsigned i = 0; i < FIXTURE_VOXELS; i++) {
@@ -76,7 +76,7 @@ static inline void fixture_random(fixture *f, uint32_t seed)
         if (f->scene.volume.storage == QV_STORAGE_RGBA8)
             memcpy(&bytes[4 * i], f->palette8[entry], 4);
         else if (f->scene.volume.storage == QV_STORAGE_RGBA16)
-            memcpy(&f->voxels[4 * i], f->palette16[entry], 8);
+            memcpy(&f->voxels[4 * i], f->palette16.rgba[entry], 8);
         else
             bytes[i] = (uint8_t)entry;
     }
@@ -99,7 +99,7 @@ static inline void fixture_volume(fixture *f, uint8_t storage, uint32_t seed)
     volume->storage = storage;
     if (storage == QV_STORAGE_INDEXED8 || storage == QV_STORAGE_INDEXED8_16) {
         const int wide = storage == QV_STORAGE_INDEXED8_16;
-        volume->palette = wide ? (qv_address)f->palette16 : (qv_address)f->palette8;
+        volume->palette = wide ? (qv_address)&f->palette16 : (qv_address)f->palette8;
         volume->palette_bytes = wide ? QV_PALETTE16_BYTES : QV_PALETTE8_BYTES;
     }
     fixture_random(f, seed);

@@ -30,7 +30,7 @@ static qv_classifier random_classifier(uint8_t type, uint32_t seed)
     for (unsigned i = 0; i < 2 * VOXELS; i++)
         values[i] = (uint16_t)random_next(&seed);
     for (unsigned i = 0; i < 4 * QV_PALETTE_ENTRIES; i++)
-        table[i / 4][i % 4] = (uint16_t)random_next(&seed);
+        table.rgba[i / 4][i % 4] = (uint16_t)random_next(&seed);
     memset(&c, 0, sizeof c);
     c.scalars.values = (qv_address)values;
     c.scalars.values_bytes = VOXELS * (unsigned)bytes;
@@ -43,7 +43,7 @@ static qv_classifier random_classifier(uint8_t type, uint32_t seed)
     c.scalars.stride[2] = bytes * (int32_t)(NX * NY);
     c.low = type == QV_SCALAR_S16 ? -30000 : 10;
     c.high = type == QV_SCALAR_U8 ? 200 : 32000;
-    c.transfer = (const qv_transfer *)&table;
+    c.transfer = &table;
     return c;
 }
 
@@ -191,7 +191,7 @@ static void normals_point_against_the_gradient(void **state)
                 const unsigned at[3] = {i % NX, i / NX % NY, i / (NX * NY)};
                 values[i] = (uint16_t)(sign * (int)at[axis] * 1000);
             }
-            memset(table, 0xFF, sizeof table);
+            memset(&table, 0xFF, sizeof table);
             memset(shading.light, 0, sizeof shading.light);
             shading.light[axis] = -1;
             c.shading = &shading;
@@ -287,7 +287,7 @@ static void axes_of_one_voxel_have_no_stride(void **state)
     }
     c.shading = &SHADING;
     assert_int_equal(qv_classify(rgba, sizeof rgba, QV_STORAGE_RGBA16, &c, &block), QV_OK);
-    expected = table[ref_table_index(values[0], &c)];
+    expected = table.rgba[ref_table_index(values[0], &c)];
     assert_memory_equal(rgba, expected, sizeof rgba);
 }
 

@@ -34,8 +34,8 @@ static int32_t component(uint32_t *seed, int32_t limit)
 static void random_spacing(uint32_t spacing[3], uint32_t *seed)
 {
     for (unsigned a = 0; a < 3; a++) {
-        uint32_t octave = 4096u << random_below(seed, 9);
-        spacing[a] = octave == 1u << 20 ? octave : octave + random_below(seed, octave);
+        uint32_t octave = 4096u << random_below(seed, 13);
+        spacing[a] = octave == 1u << 24 ? octave : octave + random_below(seed, octave);
         if (random_below(seed, 4) == 0)
             spacing[a] = 0;
     }

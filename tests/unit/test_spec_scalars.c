@@ -26,9 +26,9 @@ static void S31_transfer_table(void **state)
     static const uint8_t entry[] = {9, 11, 12, 13, 200};
     qv_transfer table;
     (void)state;
-    assert_int_equal(qv_transfer_build(table, points, 2), QV_OK);
+    assert_int_equal(qv_transfer_build(&table, points, 2), QV_OK);
     for (unsigned i = 0; i < sizeof entry; i++)
-        assert_memory_equal(table[entry[i]], expected[i], sizeof expected[i]);
+        assert_memory_equal(table.rgba[entry[i]], expected[i], sizeof expected[i]);
 }
 
 /* Compares the indices of scalars, at most seven. */

@@ -8,15 +8,15 @@
 
 #include <string.h>
 
-static void expect_reference(qv_transfer table, const qv_control_point *points, uint16_t count)
+static void expect_reference(const qv_transfer *table, const qv_control_point *points, uint16_t count)
 {
     double expected[4];
 
     for (unsigned i = 0; i < QV_PALETTE_ENTRIES; i++) {
         ref_transfer_entry(expected, points, count, i);
         for (unsigned c = 0; c < 4; c++)
-            if (table[i][c] != ref_nearest(expected[c]))
-                fail_msg("entry %u channel %u: %u, not %f", i, c, table[i][c], expected[c]);
+            if (table->rgba[i][c] != ref_nearest(expected[c]))
+                fail_msg("entry %u channel %u: %u, not %f", i, c, table->rgba[i][c], expected[c]);
     }
 }
 
@@ -25,11 +25,11 @@ static void expect_built(const qv_control_point *points, uint16_t count)
 {
     qv_transfer table;
 
-    memset(table, 0x5A, sizeof table);
-    assert_int_equal(qv_transfer_build(table, points, count), QV_OK);
-    expect_reference(table, points, count);
+    memset(&table, 0x5A, sizeof table);
+    assert_int_equal(qv_transfer_build(&table, points, count), QV_OK);
+    expect_reference(&table, points, count);
     for (uint16_t i = 0; i < count; i++)
-        assert_memory_equal(table[points[i].index], points[i].rgba, sizeof points[i].rgba);
+        assert_memory_equal(table.rgba[points[i].index], points[i].rgba, sizeof points[i].rgba);
 }
 
 /* Every pair of indices, with colours that rise, fall, stay, and take both ends. */
@@ -57,8 +57,8 @@ static void ties_go_upwards(void **state)
     qv_transfer table;
     (void)state;
 
-    assert_int_equal(qv_transfer_build(table, points, 2), QV_OK);
-    assert_memory_equal(table[11], expected, sizeof expected);
+    assert_int_equal(qv_transfer_build(&table, points, 2), QV_OK);
+    assert_memory_equal(table.rgba[11], expected, sizeof expected);
 }
 
 static void one_point_fills_the_table(void **state)
@@ -93,10 +93,10 @@ static void expect_refused(const qv_control_point *points, uint16_t count, qv_st
 {
     qv_transfer table, before;
 
-    memset(table, 0xC3, sizeof table);
-    memset(before, 0xC3, sizeof before);
-    assert_int_equal(qv_transfer_build(table, points, count), expected);
-    assert_memory_equal(table, before, sizeof table);
+    memset(&table, 0xC3, sizeof table);
+    memset(&before, 0xC3, sizeof before);
+    assert_int_equal(qv_transfer_build(&table, points, count), expected);
+    assert_memory_equal(&table, &before, sizeof table);
 }
 
 static void bad_points_are_refused(void **state)
@@ -128,8 +128,8 @@ static void palette_of_8_bits_rounds_every_level(void **state)
 
     for (unsigned base = 0; base < 65536; base += 1024) {
         for (unsigned i = 0; i < 1024; i++)
-            table[i / 4][i % 4] = (uint16_t)(base + i);
-        qv_transfer_to_palette8(palette, table);
+            table.rgba[i / 4][i % 4] = (uint16_t)(base + i);
+        qv_transfer_to_palette8(palette, &table);
         for (unsigned i = 0; i < 1024; i++)
             assert_int_equal(palette[i / 4][i % 4], (int)ref_nearest((base + i) / 257.0));
     }
