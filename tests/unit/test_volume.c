@@ -68,6 +68,7 @@ static void occupancy_is_reserved(void **state)
 
 /* ---- Sizes ---- */
 
+/* Whatever the strides are: the axis may be the one of the smallest. */
 static void sizes_out_of_range(void **state)
 {
     static const uint16_t bad[] = {0, QV_AXIS_MAX + 1, 65535};
@@ -77,6 +78,10 @@ static void sizes_out_of_range(void **state)
         for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
             make(QV_STORAGE_RGBA8);
             volume->size[axis] = bad[i];
+            expect(QV_ERROR_SIZE);
+            volume->stride[axis] = 4;
+            volume->stride[(axis + 1) % 3] = 1 << 10;
+            volume->stride[(axis + 2) % 3] = 1 << 20;
             expect(QV_ERROR_SIZE);
         }
 }
