@@ -318,10 +318,9 @@ typedef struct qv_format {
                            qv_format_mono_vertical, else 0 */
 } qv_format;
 
-extern const qv_format qv_format_rgba8888; /* R, G, B, A; associated colour */
-extern const qv_format
-    qv_format_bgra8888;                  /* B, G, R, A; associated: LVGL's ARGB8888_PREMULTIPLIED */
-extern const qv_format qv_format_rgb888; /* R, G, B */
+extern const qv_format qv_format_rgba8888;  /* R, G, B, A; associated colour */
+extern const qv_format qv_format_bgra8888;  /* B, G, R, A; the same (LVGL: premultiplied ARGB) */
+extern const qv_format qv_format_rgb888;    /* R, G, B */
 extern const qv_format qv_format_rgb565_le; /* 16 bits, R in the highest 5; low byte first */
 extern const qv_format qv_format_rgb565_be; /* the same; high byte first */
 extern const qv_format qv_format_l8;        /* grey */
