@@ -78,11 +78,13 @@ static void S33_least_gradient(void **state)
 {
     static const int32_t one[3] = {1, 0, 0};
     static const uint32_t cubic[3] = {65536, 65536, 65536};
+    static const uint32_t coarse[3] = {1 << 24, 1 << 24, 1 << 24};
     (void)state;
     assert_true(long_enough(difference, spacing, 38, 1000));
     assert_false(long_enough(difference, spacing, 39, 1000));
     assert_true(long_enough(one, cubic, 1, 128));
     assert_false(long_enough(one, cubic, 2, 128));
+    assert_false(long_enough(one, coarse, 32768, 512));
 }
 
 static void S34_unit_vectors(void **state)
