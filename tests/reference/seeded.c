@@ -245,11 +245,11 @@ qv_status seeded_make(seeded_scene *made, uint32_t seed, qv_storage storage)
     const qv_status status = draw_camera(made, &random);
     volume->storage = (uint8_t)storage;
     const size_t first = draw_strides(volume, &random);
-    made->memory = malloc(volume->voxels_bytes);
+    made->memory = malloc((size_t)volume->voxels_bytes);
     if (made->memory == NULL) {
         return QV_ERROR_NULL;
     }
-    memset(made->memory, 0xff, volume->voxels_bytes); /* gaps must not be read */
+    memset(made->memory, 0xff, (size_t)volume->voxels_bytes); /* gaps must not be read */
     volume->voxels = made->memory + first;
     draw_filling(&from, &random);
     made->filling = filling_names[from.kind];
