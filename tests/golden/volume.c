@@ -202,7 +202,8 @@ static qv_status classify(golden_memory *memory, uint32_t *state, const golden_s
     for (unsigned axis = 0; axis < 3; axis++)
         classifier.scalars.spacing[axis] = golden->spacing[axis];
     qv_transfer_to_palette8(memory->palette, &memory->table);
-    return qv_classify(memory->voxels, sizeof memory->voxels, golden->storage, &classifier, &whole);
+    return qv_classify(memory->voxels, sizeof memory->voxels, (uint8_t)golden->storage, &classifier,
+                       &whole);
 }
 
 /* ---- The volume ----------------------------------------------------------- */

@@ -122,7 +122,7 @@ static void index_ties_go_upwards(void **state)
 
 /* Classifies the whole volume and returns the greatest distance, in levels of
    the storage, from the real colours. */
-static double colour_error(const qv_classifier *c, qv_storage storage)
+static double colour_error(const qv_classifier *c, uint8_t storage)
 {
     static uint16_t voxels[VOXELS][4];
     const uint8_t *bytes = (const uint8_t *)voxels;
@@ -204,7 +204,7 @@ static void normals_point_against_the_gradient(void **state)
 /* ---- Blocks and strides ---- */
 
 /* Every block of a volume has the bytes of the whole. */
-static void expect_blocks_equal(const qv_classifier *c, qv_storage storage, unsigned voxel_bytes,
+static void expect_blocks_equal(const qv_classifier *c, uint8_t storage, unsigned voxel_bytes,
                                 uint32_t seed)
 {
     static uint8_t whole[VOXELS * 8], part[VOXELS * 8 + 1];
@@ -295,7 +295,7 @@ static void axes_of_one_voxel_have_no_stride(void **state)
 
 static uint8_t untouched[VOXELS * 8];
 
-static void expect_refused(const qv_classifier *c, const qv_block *block, qv_storage storage,
+static void expect_refused(const qv_classifier *c, const qv_block *block, uint8_t storage,
                            size_t bytes, qv_status expected)
 {
     static uint8_t before[VOXELS * 8];
@@ -321,8 +321,8 @@ static void bad_arguments_are_refused(void **state)
     assert_int_equal(qv_classify(NULL, bytes, QV_STORAGE_RGBA8, &c, &WHOLE), QV_ERROR_NULL);
     expect_refused(NULL, &WHOLE, QV_STORAGE_RGBA8, bytes, QV_ERROR_NULL);
     expect_refused(&c, NULL, QV_STORAGE_RGBA8, bytes, QV_ERROR_NULL);
-    expect_refused(&c, &WHOLE, (qv_storage)0, bytes, QV_ERROR_STORAGE);
-    expect_refused(&c, &WHOLE, (qv_storage)5, bytes, QV_ERROR_STORAGE);
+    expect_refused(&c, &WHOLE, 0, bytes, QV_ERROR_STORAGE);
+    expect_refused(&c, &WHOLE, 5, bytes, QV_ERROR_STORAGE);
     expect_refused(&c, &WHOLE, QV_STORAGE_RGBA16, VOXELS * 8 - 1, QV_ERROR_BUFFER);
     expect_refused(&c, &WHOLE, QV_STORAGE_RGBA8, VOXELS * 4 - 1, QV_ERROR_BUFFER);
     expect_refused(&c, &WHOLE, QV_STORAGE_INDEXED8, VOXELS - 1, QV_ERROR_BUFFER);
