@@ -1,7 +1,7 @@
 #!/bin/sh
-# The library and the unit tests compile without a warning: gcc and clang, four
-# levels of optimisation (which warnings depend on). As 32-bit programs, where
-# offsets and sizes are narrower, they also pass.
+# The library and its tests compile without a warning: gcc and clang, four levels
+# of optimisation (which warnings depend on). As 32-bit programs, where offsets and
+# sizes are narrower, the unit tests and golden scenes also pass.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -9,12 +9,13 @@ unset MAKEFLAGS MFLAGS MAKELEVEL # of a make that runs this script
 number=0
 failed=0
 
-# The objects of the library and of the unit tests.
+# The objects of the library and of its tests on this machine.
 objects() {
     for file in core/*.c fixedpoint/*.c; do
         echo "$work/build/host/${file%.c}.o"
     done
-    for file in tests/unit/*.c; do
+    for file in tests/unit/*.c tests/reference/*.c tests/accuracy/*.c tests/golden/[!g]*.c \
+        tests/golden/golden_host.c; do
         echo "$work/build/tests/${file%.c}.o"
     done
 }

@@ -61,8 +61,7 @@ static void vectors_too_long(void **state)
     for (int kind = ORTHOGRAPHIC; kind <= PERSPECTIVE; kind++) {
         qv_camera camera = by_hand((projection)kind);
         for (unsigned axis = 0; axis < 3; axis++) {
-            expect_limit(&camera, &camera.origin[axis],
-                         VOXEL << 20);
+            expect_limit(&camera, &camera.origin[axis], VOXEL << 20);
             camera.origin[axis] = 0;
         }
         expect_limit(&camera, &camera.across[0], VOXEL << 12);

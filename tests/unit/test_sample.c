@@ -34,7 +34,8 @@ static void voxel_at(uint32_t rgba[4], const int32_t at[3])
     for (unsigned axis = 0; axis < 3; axis++)
         entry += clamp(at[axis], volume->size[axis]) * volume->stride[axis];
     if (indexed)
-        entry = wide(volume->storage) ? (const uint8_t *)f.palette16.rgba[*entry] : f.palette8[*entry];
+        entry =
+            wide(volume->storage) ? (const uint8_t *)f.palette16.rgba[*entry] : f.palette8[*entry];
     for (unsigned c = 0; c < 4; c++) {
         rgba[c] = entry[c];
         if (wide(volume->storage)) {

@@ -8,7 +8,8 @@
 
 #include <string.h>
 
-static void expect_reference(const qv_transfer *table, const qv_control_point *points, uint16_t count)
+static void expect_reference(const qv_transfer *table, const qv_control_point *points,
+                             uint16_t count)
 {
     double expected[4];
 
