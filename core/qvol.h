@@ -190,8 +190,8 @@ extern const qv_projection qv_projection_orthographic, qv_projection_perspective
  *
  * across, down and along must be independent: the determinant of the three, each
  * scaled by a power of 2 that takes its largest component to 1/2 .. 1, is at
- * least 2^-14 in magnitude. (Vectors shorter than 2^-17 count as too short; the
- * rotations of a view pass where no spacing is more than 32 times another.)
+ * least 2^-14 in magnitude. (The rotations of a view pass where no spacing is more
+ * than 32 times another.)
  */
 typedef struct qv_camera {
     const qv_projection *projection;
@@ -219,7 +219,7 @@ void qv_rotation(int32_t rotation[3][3], qv_angle azimuth, qv_angle elevation, q
  */
 typedef struct qv_view {
     int32_t rotation[3][3]; /* rows right, down, forward, Q2.30; from qv_rotation or the caller's
-                               own: components at most 1 in magnitude */
+                               own: not checked here, but by what qv_init asks of cameras */
     uint32_t pitch;         /* world units from pixel to pixel, in perspective at the volume's
                                centre; Q16.16, 2^-12 .. 2^8 */
     uint32_t step;          /* world units from sample to sample, Q16.16, 1/16 .. 16 */
@@ -285,7 +285,7 @@ typedef struct qv_sampling {
  * front_to_back modes end a ray at the context's termination threshold
  * (equations 5, 6 and 8); back_to_front modes (equation 7) take every sample.
  * Light and transmittance accumulate with 31 fraction bits, rounding to
- * nearest: n samples cost at most n * 2^-32, back to front 2 n * 2^-32 of light.
+ * nearest: n samples cost at most n * 2^-32 of transmittance, 2 n * 2^-32 of light.
  */
 extern const qv_sampling qv_nearest_rgba8, qv_nearest_rgba16;
 extern const qv_sampling qv_nearest_indexed8, qv_nearest_indexed8_16;
@@ -502,8 +502,8 @@ qv_status qv_classify(void *voxels, size_t bytes, uint8_t storage, const qv_clas
  * its upper faces), rounded to nearest. The result has ceil(size/factor) values
  * an axis, tightly packed, in the same type; slices first_z <= z < end_z of it
  * are written. Its spacing is the source's times the factor, so its box is longer
- * than the source's where a factor does not divide the size. Factors 1 .. 64. Returns QV_OK or QV_ERROR_NULL, _STORAGE (type),
- * _SIZE, _STRIDE, _BUFFER.
+ * than the source's where a factor does not divide the size. Factors 1 .. 64.
+ * Returns QV_OK or QV_ERROR_NULL, _STORAGE (type), _SIZE, _STRIDE, _BUFFER.
  */
 qv_status qv_reduce(void *values, size_t bytes, const qv_scalars *scalars, const uint8_t factor[3],
                     uint16_t first_z, uint16_t end_z);
