@@ -45,6 +45,17 @@ golden-update: $(GOLDEN_TEST) ## write tests/golden/golden.h anew, after a chang
 	$(GOLDEN_TEST) --update > $(TEST_OUT)/golden.h
 	cp $(TEST_OUT)/golden.h tests/golden/golden.h
 
+TABLE_GENERATOR := $(TEST_OUT)/tables/tables
+
+.PHONY: tables
+tables: $(TABLE_GENERATOR) ## write the tables of fixedpoint/ anew; needs MPFR
+	$(TABLE_GENERATOR) fixedpoint
+
+$(TABLE_GENERATOR): $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/tables/*.c))
+	@mkdir -p $(@D)
+	@echo "  LD  $@"
+	@$(CC) $(CFLAGS) $^ -lmpfr -lgmp -o $@
+
 $(TEST_OUT)/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "  CC  $<"
