@@ -31,7 +31,8 @@ uint32_t fx_transmittance(fx_depth depth)
         return 0;
     if (fraction == 0)
         return FX_CLEAR_Q31 >> whole;
-    return ((power32(fraction) >> whole) + 1u) >> 1;
+    uint32_t twice = power32(fraction) >> whole; /* up to 2^32 - 1 */
+    return (twice >> 1) + (twice & 1u);
 }
 
 #define DEPTH16_END  0x11000000u /* 17: 65535 * 2^-17 rounds to 0 */

@@ -13,6 +13,8 @@ int main(int count, char **arguments)
         return EXIT_FAILURE;
     }
     write_exp(arguments[1]);
+    write_log(arguments[1]);
+    write_log8(arguments[1]);
     mpfr_free_cache();
     return EXIT_SUCCESS;
 }

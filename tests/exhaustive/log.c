@@ -1,0 +1,44 @@
+/*
+ * Depth of every transmittance of 32 bits, and every reciprocal.
+ */
+#include "check.h"
+#include "deviation.h"
+#include "fx_log.h"
+
+static void every_transmittance(void **state)
+{
+    double worst = 0;
+    fx_depth last = 0;
+    (void)state;
+
+    for (uint32_t t = UINT32_MAX; t > 0; t--) {
+        const fx_depth depth = fx_depth_of_transmittance(t);
+        const long double exact = ldexpl(log2l(4294967295.0L / t), 32);
+        if (depth < last)
+            fail_msg("falls at %u", t);
+        last = depth;
+        worst = fmax(worst, (double)fabsl((long double)depth - exact) / 16);
+    }
+    printf("# depth of a transmittance: max %.4f units of 2^-28\n", worst);
+    assert_true(worst <= 1.6);
+}
+
+static void every_reciprocal(void **state)
+{
+    double worst = 0;
+    (void)state;
+
+    for (uint32_t v = 1u << 27; v <= 1u << 31; v++)
+        worst = fmax(worst, fabs(ldexp(fx_reciprocal(v), -27) * ldexp(v, -31) - 1));
+    printf("# reciprocal: max %.4f * 2^-20 of it\n", ldexp(worst, 20));
+    assert_true(worst <= ldexp(1, -20));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_transmittance),
+        cmocka_unit_test(every_reciprocal),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,47 @@
+#!/bin/sh
+# The tables of fixedpoint are what their generator writes, byte for byte, and
+# take at most 1.5 KB beside the optional one for 8-bit opacities, at most 1 KB.
+set -eu
+: "${BUILD:=build}"
+LIMIT=1536
+LIMIT8=1024
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+unset MAKEFLAGS MFLAGS MAKELEVEL # of a make that runs this script
+number=0
+failed=0
+
+result() { # result STATUS NAME: STATUS 0 has passed
+    number=$((number + 1))
+    [ "$1" -eq 0 ] || failed=1
+    [ "$1" -eq 0 ] || printf 'not '
+    echo "ok $number - $2"
+}
+
+bytes() { # bytes HEADER...: what the arrays in generated headers take
+    awk '/^FX_TABLE uint/ { wide = $2 == "uint32_t" ? 4 : 2; split($3, part, /[][]/); sum += wide * part[2] }
+         END { print sum + 0 }' "$@"
+}
+
+make -s BUILD="$BUILD" "$BUILD/tests/tables/tables" >&2
+"$BUILD/tests/tables/tables" "$work"
+for file in "$work"/*.h; do
+    name=fixedpoint/$(basename "$file")
+    status=0
+    cmp -s "$file" "$name" || status=1
+    result $status "$name is what the generator writes"
+done
+[ "$number" -eq "$(find fixedpoint -name 'fx_*_table.h' | wc -l)" ] || {
+    result 1 "every table has its generator"
+}
+
+total=$(bytes $(find fixedpoint -name 'fx_*_table.h' ! -name '*8_table.h'))
+total8=$(bytes fixedpoint/fx_*8_table.h)
+status=0
+{ [ "$total" -gt 0 ] && [ "$total" -le $LIMIT ]; } || status=1
+result $status "tables: $total of $LIMIT bytes"
+status=0
+{ [ "$total8" -gt 0 ] && [ "$total8" -le $LIMIT8 ]; } || status=1
+result $status "table of 8-bit opacities: $total8 of $LIMIT8 bytes"
+echo "1..$number"
+exit $failed
