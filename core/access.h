@@ -21,11 +21,24 @@ static inline uint8_t qv_read8(qv_address address)
     return *address;
 }
 
+/* The caller's memory may have been written as bytes: 16-bit reads may alias them. */
+#if defined(__GNUC__)
+typedef uint16_t __attribute__((may_alias)) qv_word;
+#else
+typedef uint16_t qv_word;
+#endif
+
 /* A uint16_t in the machine's byte order, at an even address. */
 static inline uint16_t qv_read16(qv_address address)
 {
     const void *aligned = address;
-    return *(const uint16_t *)aligned;
+    return *(const qv_word *)aligned;
+}
+
+/* Whether an address is a multiple of the alignment, 1 or 2. */
+static inline int qv_aligned(qv_address address, unsigned alignment)
+{
+    return ((uintptr_t)address & (alignment - 1u)) == 0;
 }
 
 #endif

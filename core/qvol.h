@@ -88,8 +88,8 @@ typedef enum qv_status {
     QV_ERROR_NULL = -1,      /* a required pointer is null */
     QV_ERROR_STORAGE = -2,   /* unknown storage, or not the one the sampling mode reads */
     QV_ERROR_SIZE = -3,      /* an axis is 0 or longer than QV_AXIS_MAX */
-    QV_ERROR_STRIDE = -4,    /* strides overlap, are odd for 16-bit data, or leave the memory */
-    QV_ERROR_PALETTE = -5,   /* palette missing, or not of 256 entries */
+    QV_ERROR_STRIDE = -4,    /* strides overlap or leave the memory; 16-bit data odd */
+    QV_ERROR_PALETTE = -5,   /* palette missing, not of 256 entries, or 16-bit at an odd address */
     QV_ERROR_SPACING = -6,   /* spacing outside 1/16 .. 256 */
     QV_ERROR_STEP = -7,      /* step out of range */
     QV_ERROR_UNIT = -8,      /* unit distance differs from the step */

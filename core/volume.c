@@ -1,3 +1,4 @@
+#include "access.h"
 #include "layout.h"
 #include "storage.h"
 
@@ -6,7 +7,10 @@ static qv_status check_palette(const qv_volume *volume)
     int indexed = qv_storage_indexed(volume->storage);
     uint32_t expected = indexed ? QV_PALETTE_ENTRIES * qv_entry_bytes(volume->storage) : 0;
     int present = volume->palette != 0;
-    return present == indexed && volume->palette_bytes == expected ? QV_OK : QV_ERROR_PALETTE;
+    if (present != indexed || volume->palette_bytes != expected ||
+        !qv_aligned(volume->palette, qv_channel_bytes(volume->storage)))
+        return QV_ERROR_PALETTE;
+    return QV_OK;
 }
 
 qv_status qv_volume_check(const qv_volume *volume)
@@ -17,6 +21,8 @@ qv_status qv_volume_check(const qv_volume *volume)
         return QV_ERROR_STORAGE;
     if (volume->occupancy)
         return QV_ERROR_RESERVED;
+    if (!qv_aligned(volume->voxels, qv_voxel_alignment(volume->storage)))
+        return QV_ERROR_STRIDE;
     qv_status status =
         qv_layout_check(volume->size, volume->stride, volume->voxels_bytes,
                         qv_voxel_bytes(volume->storage), qv_voxel_alignment(volume->storage));

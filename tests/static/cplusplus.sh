@@ -19,9 +19,13 @@ int main()
     std::memset(points, 0, sizeof points);
     points[1].index = 255;
     points[1].rgba[3] = 65535;
-    if (qv_transfer_build(table, points, 2) != QV_OK || table[255][3] != 65535)
+    if (qv_transfer_build(&table, points, 2) != QV_OK || table.rgba[255][3] != 65535)
         return 1;
     qv_scene scene = qv_scene();
+    qv_classifier classifier = qv_classifier();
+    qv_block block = qv_block();
+    if (qv_classify(points, sizeof points, scene.volume.storage, &classifier, &block) == QV_OK)
+        return 4;
     scene.sampling = &qv_weighted_indexed8;
     qv_context context;
     if (qv_init(&context, &scene) == QV_OK)

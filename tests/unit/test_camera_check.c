@@ -29,7 +29,7 @@ static void expect(const qv_camera *camera, qv_status status)
     assert_int_equal(qv_camera_check(camera), status);
 }
 
-static void no_ray_function(void **state)
+static void no_projection(void **state)
 {
     qv_camera camera = by_hand(ORTHOGRAPHIC);
     (void)state;
@@ -234,7 +234,7 @@ static void views_are_independent(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_ray_function),       cmocka_unit_test(vectors_too_long),
+        cmocka_unit_test(no_projection),       cmocka_unit_test(vectors_too_long),
         cmocka_unit_test(eyes_too_far),          cmocka_unit_test(paces_out_of_range),
         cmocka_unit_test(steps_too_short),       cmocka_unit_test(vectors_of_no_length),
         cmocka_unit_test(a_camera_of_zeros),     cmocka_unit_test(parallel_and_coplanar_vectors),

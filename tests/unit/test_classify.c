@@ -351,13 +351,13 @@ static void bad_blocks_are_refused(void **state)
 static void bad_scalars_are_refused(void **state)
 {
     const qv_classifier good = random_classifier(QV_SCALAR_U16, 1);
-    qv_classifier bad[9];
-    static const qv_status expected[9] = {QV_ERROR_NULL,   QV_ERROR_STORAGE, QV_ERROR_STORAGE,
-                                          QV_ERROR_SIZE,   QV_ERROR_SIZE,    QV_ERROR_STRIDE,
-                                          QV_ERROR_STRIDE, QV_ERROR_SPACING, QV_ERROR_SPACING};
+    qv_classifier bad[10];
+    static const qv_status expected[10] = {
+        QV_ERROR_NULL,   QV_ERROR_STORAGE, QV_ERROR_STORAGE, QV_ERROR_SIZE,    QV_ERROR_SIZE,
+        QV_ERROR_STRIDE, QV_ERROR_STRIDE,  QV_ERROR_SPACING, QV_ERROR_SPACING, QV_ERROR_STRIDE};
     (void)state;
 
-    for (unsigned i = 0; i < 9; i++)
+    for (unsigned i = 0; i < 10; i++)
         bad[i] = good;
     bad[0].scalars.values = NULL;
     bad[1].scalars.type = 0;
@@ -368,7 +368,8 @@ static void bad_scalars_are_refused(void **state)
     bad[6].scalars.values_bytes -= 1;
     bad[7].scalars.spacing[0] = 4095;
     bad[8].scalars.spacing[2] = (256u << 16) + 1;
-    for (unsigned i = 0; i < 9; i++)
+    bad[9].scalars.values++; /* an odd address */
+    for (unsigned i = 0; i < 10; i++)
         expect_bad(&bad[i], expected[i]);
 }
 

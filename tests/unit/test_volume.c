@@ -184,6 +184,22 @@ static void odd_strides_of_16_bit_voxels(void **state)
         }
 }
 
+static void odd_addresses_of_16_bit_data(void **state)
+{
+    (void)state;
+
+    for (unsigned i = 0; i < 4; i++) {
+        make(storages[i]);
+        volume->voxels++;
+        expect(storages[i] == QV_STORAGE_RGBA16 ? QV_ERROR_STRIDE : QV_OK);
+        make(storages[i]);
+        if (volume->palette) {
+            volume->palette++;
+            expect(storages[i] == QV_STORAGE_INDEXED8_16 ? QV_ERROR_PALETTE : QV_OK);
+        }
+    }
+}
+
 /* The farthest byte that a stride of 32 bits reaches on one axis, and beyond all
    memory on three. */
 static void strides_of_32_bits(void **state)
@@ -370,6 +386,7 @@ int main(void)
         cmocka_unit_test(strides_that_overlap),
         cmocka_unit_test(strides_of_any_order_and_sign),
         cmocka_unit_test(odd_strides_of_16_bit_voxels),
+        cmocka_unit_test(odd_addresses_of_16_bit_data),
         cmocka_unit_test(strides_of_32_bits),
         cmocka_unit_test(memory_beyond_an_offset),
         cmocka_unit_test(what_is_accepted_does_not_overlap),
