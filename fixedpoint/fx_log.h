@@ -20,9 +20,10 @@
 #define FX_OPAQUE       ((fx_extinction)FX_OPAQUE_WHOLE << 24)
 
 /*
- * -log2(transmittance), for every transmittance in Q0.32, 2^32 - 1 being 1. The
- * result never rises with the transmittance, and is 0 (below 2^-30) for 1, 32
- * (within the error) for the least, FX_OPAQUE_DEPTH for 0. Error at most 1.6 * 2^-28.
+ * -log2(transmittance), for every transmittance in Q0.32, 2^32 - 1 being 1. Error
+ * at most 1.6 * 2^-28: the result is below 2^-30 for 1, 32 within the error for the
+ * least, and FX_OPAQUE_DEPTH for 0. Between numbers that differ by less than the
+ * error it may fall where it should rise, by less than 2^-27.
  */
 fx_depth fx_depth_of_transmittance(uint32_t transmittance);
 

@@ -27,7 +27,7 @@ static void write_powers(FILE *file)
         mpfr_exp2(power, power, MPFR_RNDN);
         values[i] = curve_round(power, 31, UINT32_MAX);
     }
-    write_table(file, "uint32_t", "exp_power", values, SEGMENTS, "2^(i/64), Q1.31");
+    write_table(file, 32, "exp_power", values, SEGMENTS, "2^(i/64), Q1.31");
     mpfr_clear(power);
 }
 

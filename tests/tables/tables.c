@@ -15,6 +15,7 @@ int main(int count, char **arguments)
     write_exp(arguments[1]);
     write_log(arguments[1]);
     write_log8(arguments[1]);
+    write_phi(arguments[1]);
     mpfr_free_cache();
     return EXIT_SUCCESS;
 }

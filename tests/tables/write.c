@@ -51,11 +51,12 @@ void write_number(FILE *file, const char *name, uint32_t value, const char *abou
     fprintf(file, "\n/* %s */\n#define %s 0x%08Xu\n", about, name, (unsigned)value);
 }
 
-void write_table(FILE *file, const char *type, const char *name, const uint32_t values[],
+void write_table(FILE *file, unsigned bits, const char *name, const uint32_t values[],
                  unsigned count, const char *about)
 {
-    fprintf(file, "\n/* %s */\nFX_TABLE %s %s[%u] = {", about, type, name, count);
+    fprintf(file, "\n/* %s */\nFX_TABLE uint%u_t %s[%u] = {", about, bits, name, count);
     for (unsigned i = 0; i < count; i++)
-        fprintf(file, "%s0x%08Xu,", i % 8 == 0 ? "\n    " : " ", (unsigned)values[i]);
+        fprintf(file, "%s0x%0*Xu,", i % 8 == 0 ? "\n    " : " ", (int)bits / 4,
+                (unsigned)values[i]);
     fprintf(file, "\n};\n");
 }

@@ -13,7 +13,9 @@ FILE *write_open(const char *folder, const char *name, const char *about);
 void write_close(FILE *file);
 
 void write_number(FILE *file, const char *name, uint32_t value, const char *about);
-void write_table(FILE *file, const char *type, const char *name, const uint32_t values[],
+
+/* A table of uint16_t or uint32_t, as bits says. */
+void write_table(FILE *file, unsigned bits, const char *name, const uint32_t values[],
                  unsigned count, const char *about);
 
 /* One for each header. */
