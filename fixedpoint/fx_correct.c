@@ -1,0 +1,44 @@
+#include "fx_correct.h"
+
+#include "fx_log.h"
+#include "fx_phi.h"
+#include "fx_wide.h"
+
+#define ONE_Q27 0x08000000u
+
+fx_depth fx_depth_scale(fx_depth depth, uint32_t ratio)
+{
+    uint64_t whole = fx_wide_product((uint32_t)(depth >> 32), ratio); /* <= 2^6 * 2^32 */
+    uint64_t fraction = fx_wide_product((uint32_t)depth, ratio);
+    return (whole << 16) + (fraction >> 16);
+}
+
+/* The depth of a stored opacity below full. */
+static fx_depth depth_of(fx_unorm16 opacity)
+{
+    uint32_t transmittance = 65535u - opacity;
+    return fx_depth_of_transmittance(transmittance << 16 | transmittance);
+}
+
+fx_unorm16 fx_correct_opacity(fx_unorm16 opacity, uint32_t ratio)
+{
+    if (opacity == 65535u)
+        return opacity;
+    uint32_t left = fx_opacity(fx_depth_scale(depth_of(opacity), ratio));
+    left -= left >> 16; /* times 65535/65536 */
+    return (fx_unorm16)((left + 0x4000u) >> 15);
+}
+
+/* opacity = x ln 2 phi(x) for the depth x, so the factor is ratio * phi(ratio * x) /
+   phi(x), in which nothing is small: phi(x) > 1/12 for x < 16. */
+uint32_t fx_correct_colour(fx_unorm16 opacity, uint32_t ratio)
+{
+    if (opacity == 65535u)
+        return ONE_Q27;
+    fx_depth depth = depth_of(opacity);
+    uint32_t reciprocal = fx_reciprocal(fx_phi(depth));  /* Q5.27, below 12 */
+    uint32_t phi = fx_phi(fx_depth_scale(depth, ratio)); /* Q1.31 */
+    /* phi(r x) / phi(x) <= 12 and times r <= 16: Q5.27 * Q16.16 */
+    uint32_t share = fx_high_product(reciprocal << 1, phi);
+    return (uint32_t)(fx_wide_product(share, ratio) >> 16);
+}

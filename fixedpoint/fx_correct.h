@@ -1,0 +1,34 @@
+/*
+ * fx_correct.h - opacity for another distance than the one it was stored for.
+ *
+ * Kraus and Buerger 2008, equations 16 and 17, without a division: by the optical
+ * depth of the opacity, which a distance multiplies. Ratios are of the new distance
+ * to the stored one, Q16.16.
+ */
+#ifndef FX_CORRECT_H
+#define FX_CORRECT_H
+
+#include "fx_exp.h"
+
+#define FX_RATIO_LEAST    4096u    /* 1/16 */
+#define FX_RATIO_GREATEST 1048576u /* 16 */
+
+/* depth * ratio, cut to Q32.32: for depths up to 64 and every ratio. */
+fx_depth fx_depth_scale(fx_depth depth, uint32_t ratio);
+
+/*
+ * 1 - (1 - opacity)^ratio, for every ratio. Exactly the opacity for ratio 1; 0 and
+ * 65535 stay what they are: full opacity has no finite depth here. Never falls as
+ * the opacity or the ratio rises. Error at most .502 of 1/65535 for ratios of 1/16 ..
+ * 16.
+ */
+fx_unorm16 fx_correct_opacity(fx_unorm16 opacity, uint32_t ratio);
+
+/*
+ * What opacity-weighted colour is to be multiplied by: corrected by stored opacity,
+ * from the ratio (at opacity 0) to 1 (at 65535). Q5.27, for ratios of 1/16 .. 16.
+ * Error at most .25 * 2^-16 of the result.
+ */
+uint32_t fx_correct_colour(fx_unorm16 opacity, uint32_t ratio);
+
+#endif /* FX_CORRECT_H */

@@ -1,0 +1,79 @@
+/*
+ * Opacity correction and its colour factor against the mathematics library.
+ */
+#include "check.h"
+#include "correct_exact.h"
+
+#define WHOLE ((fx_depth)1 << 32)
+
+static const uint32_t ratios[] = {FX_RATIO_LEAST, 5000,   8192,   16384,  32768,
+                                  45875,          65535,  65536,  65537,  131072,
+                                  196608,         300000, 524288, 777777, FX_RATIO_GREATEST};
+
+static void error(void **state)
+{
+    deviation d = {0, 0, 0, 0};
+    double factor = 0;
+    (void)state;
+
+    for (unsigned i = 0; i < sizeof ratios / sizeof *ratios; i++)
+        for (uint32_t a = 0; a < 65536; a += 5)
+            correct_measure(&d, &factor, a, correct_logarithm(a), ratios[i]);
+    deviation_print(&d, "corrected opacity, units of 1/65535");
+    printf("# colour factor: max %.4f * 2^-16 of it\n", factor);
+    assert_true(d.worst <= .502);
+    assert_true(factor <= .25);
+}
+
+static void fixed_points(void **state)
+{
+    (void)state;
+    for (uint32_t a = 0; a < 65536; a++)
+        assert_int_equal(fx_correct_opacity((fx_unorm16)a, 65536), a);
+    for (unsigned i = 0; i < sizeof ratios / sizeof *ratios; i++) {
+        assert_int_equal(fx_correct_opacity(0, ratios[i]), 0);
+        assert_int_equal(fx_correct_opacity(65535, ratios[i]), 65535);
+        assert_int_equal(fx_correct_colour(65535, ratios[i]), 1u << 27);
+        assert_in_range(fx_correct_colour(0, ratios[i]), (ratios[i] << 11) - 4, ratios[i] << 11);
+    }
+    assert_int_equal(fx_correct_opacity(65535, 0), 65535);
+    assert_int_equal(fx_correct_opacity(40000, 0), 0);
+    assert_in_range(fx_correct_opacity(1, UINT32_MAX), 41424, 41428); /* 65535 (1 - 1/e) */
+    assert_int_equal(fx_correct_opacity(65534, UINT32_MAX), 65535);
+}
+
+static void never_falls(void **state)
+{
+    (void)state;
+    for (unsigned i = 0; i < sizeof ratios / sizeof *ratios; i++)
+        for (uint32_t a = 1; a < 65536; a++) {
+            const uint32_t corrected = fx_correct_opacity((fx_unorm16)a, ratios[i]);
+            assert_true(corrected >= fx_correct_opacity((fx_unorm16)(a - 1), ratios[i]));
+        }
+    for (uint32_t a = 1; a < 65536; a += 4096)
+        for (uint32_t ratio = FX_RATIO_LEAST; ratio < FX_RATIO_GREATEST; ratio += 7)
+            assert_true(fx_correct_opacity((fx_unorm16)a, ratio) <=
+                        fx_correct_opacity((fx_unorm16)a, ratio + 7));
+}
+
+static void depths_scale(void **state)
+{
+    (void)state;
+    assert_true(fx_depth_scale(0, UINT32_MAX) == 0);
+    assert_true(fx_depth_scale(5 * WHOLE + 12345, 65536) == 5 * WHOLE + 12345);
+    assert_true(fx_depth_scale(64 * WHOLE, FX_RATIO_GREATEST) == 1024 * WHOLE);
+    assert_true(fx_depth_scale(64 * WHOLE, UINT32_MAX) == 64 * (fx_depth)UINT32_MAX << 16);
+    assert_true(fx_depth_scale(15, FX_RATIO_LEAST) == 0);
+    assert_true(fx_depth_scale(16, FX_RATIO_LEAST) == 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(error),
+        cmocka_unit_test(fixed_points),
+        cmocka_unit_test(never_falls),
+        cmocka_unit_test(depths_scale),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
