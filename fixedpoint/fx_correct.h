@@ -19,7 +19,7 @@ fx_depth fx_depth_scale(fx_depth depth, uint32_t ratio);
 /*
  * 1 - (1 - opacity)^ratio, for every ratio. Exactly the opacity for ratio 1; 0 and
  * 65535 stay what they are: full opacity has no finite depth here. Never falls as
- * the opacity or the ratio rises. Error at most .502 of 1/65535 for ratios of 1/16 ..
+ * the opacity or the ratio rises. Error at most .505 of 1/65535 for ratios of 1/16 ..
  * 16.
  */
 fx_unorm16 fx_correct_opacity(fx_unorm16 opacity, uint32_t ratio);
@@ -27,7 +27,7 @@ fx_unorm16 fx_correct_opacity(fx_unorm16 opacity, uint32_t ratio);
 /*
  * What opacity-weighted colour is to be multiplied by: corrected by stored opacity,
  * from the ratio (at opacity 0) to 1 (at 65535). Q5.27, for ratios of 1/16 .. 16.
- * Error at most .25 * 2^-16 of the result.
+ * Error at most .4 * 2^-16 of the result.
  */
 uint32_t fx_correct_colour(fx_unorm16 opacity, uint32_t ratio);
 

@@ -45,6 +45,10 @@ golden-update: $(GOLDEN_TEST) ## write tests/golden/golden.h anew, after a chang
 	$(GOLDEN_TEST) --update > $(TEST_OUT)/golden.h
 	cp $(TEST_OUT)/golden.h tests/golden/golden.h
 
+.PHONY: bench-functions
+bench-functions: ## bytes, errors and instructions of the functions of optical depth
+	tests/bench/functions.sh
+
 TABLE_GENERATOR := $(TEST_OUT)/tables/tables
 
 .PHONY: tables

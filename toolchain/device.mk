@@ -22,7 +22,7 @@ SCAN ?= /usr/share/mricron/templates/ch2.nii.gz
 SCAN_OPTIONS ?= --tf oled --reduce 3x4x3
 OLED_VIEW ?= --azimuth 97 --elevation 3 --zoom 1.75
 
-FIRMWARE := golden bench size_orthographic size_perspective $(TARGET_FIRMWARE)
+FIRMWARE := golden bench functions size_orthographic size_perspective $(TARGET_FIRMWARE)
 COUNT_PLUGIN := $(BUILD)/emulator/count.so
 
 # Sources of each firmware beside the port and the library.
@@ -31,10 +31,11 @@ FIRMWARE_size_perspective := $(addprefix port/cortex-m/,firmware_size.c firmware
 FIRMWARE_golden := tests/golden/golden_device.c tests/golden/scenes.c tests/golden/volume.c \
 	tests/golden/render.c
 FIRMWARE_bench := tests/bench/bench_device.c
+FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
 
 DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \
-	-Icore -Iport -Iport/cortex-m -I$(OUT)
+	-Icore -Ifixedpoint -Iport -Iport/cortex-m -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
 
 # Objects of sources in the tree, and of generated ones, which lie in $(OUT).

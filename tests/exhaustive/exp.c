@@ -22,7 +22,7 @@ static void every_fraction(void **state)
         last = t;
         deviation_add(&d, t, exp2l(31 - ldexpl((long double)depth, -32)));
     }
-    deviation_print(&d, "transmittance, units of 2^-31");
+    deviation_print(&d, "transmittance, units of 2^-31", 1);
     assert_true(d.worst <= .78);
 }
 
@@ -55,7 +55,7 @@ static void every_depth_of_24_fraction_bits(void **state)
         if (depth < 18u << 24)
             deviation_add(&d, t, 65535 * exp2l(-ldexpl(depth, -24)));
     } while (++depth != 0);
-    deviation_print(&d, "transmittance of 16 bits, units of 1/65535");
+    deviation_print(&d, "transmittance of 16 bits, units of 1/65535", 1);
     assert_int_equal(last, 0);
     assert_true(d.worst <= .51);
 }

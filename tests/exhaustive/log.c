@@ -9,7 +9,7 @@
 
 static void every_transmittance(void **state)
 {
-    double worst = 0;
+    deviation d = {0, 0, 0, 0};
     fx_depth last = 0;
     (void)state;
 
@@ -19,10 +19,10 @@ static void every_transmittance(void **state)
         if (depth + FALL < last)
             fail_msg("falls at %u", t);
         last = depth;
-        worst = fmax(worst, (double)fabsl((long double)depth - exact) / 16);
+        deviation_add(&d, depth, exact);
     }
-    printf("# depth of a transmittance: max %.4f units of 2^-28\n", worst);
-    assert_true(worst <= 1.6);
+    deviation_print(&d, "depth of a transmittance, units of 2^-28", 16);
+    assert_true(d.worst <= 1.6 * 16);
 }
 
 static void every_reciprocal(void **state)

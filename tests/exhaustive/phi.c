@@ -31,7 +31,7 @@ static void every_position(void **state)
     look(&d, 0, 2 * WHOLE, 2);
     for (unsigned octave = 1; octave < 6; octave++)
         look(&d, WHOLE << octave, 2 * WHOLE << octave, 1u << octave);
-    deviation_print(&d, "phi, units of 2^-31");
+    deviation_print(&d, "phi, units of 2^-16", 32768);
     assert_true(ldexp(d.worst, -15) <= .02);
 }
 

@@ -16,7 +16,7 @@ static inline long double correct_logarithm(uint32_t opacity)
 
 /* The deviations at one opacity: of the opacity in 1/65535, of the factor in 2^-16
    of it. */
-static inline void correct_measure(deviation *opacities, double *factor, uint32_t opacity,
+static inline void correct_measure(deviation *opacities, deviation *factors, uint32_t opacity,
                                    long double logarithm, uint32_t ratio)
 {
     const long double r = ldexpl(ratio, -16);
@@ -25,7 +25,7 @@ static inline void correct_measure(deviation *opacities, double *factor, uint32_
     const uint32_t colour = fx_correct_colour((fx_unorm16)opacity, ratio);
 
     deviation_add(opacities, fx_correct_opacity((fx_unorm16)opacity, ratio), exact);
-    *factor = fmax(*factor, (double)fabsl(ldexpl(colour, -27) / quotient - 1) * 65536);
+    deviation_add(factors, ldexpl(colour, 16 - 27) / quotient, 65536);
 }
 
 #endif /* QV_CORRECT_EXACT_H */

@@ -12,19 +12,20 @@ typedef struct deviation {
     double worst, squares, sum, count;
 } deviation;
 
-static inline void deviation_add(deviation *d, uint32_t result, long double exact)
+static inline void deviation_add(deviation *d, long double result, long double exact)
 {
-    const double error = (double)((long double)result - exact);
+    const double error = (double)(result - exact);
     d->worst = fmax(d->worst, fabs(error));
     d->squares += error * error;
     d->sum += error;
     d->count += 1;
 }
 
-static inline void deviation_print(const deviation *d, const char *name)
+/* Prints a line for people and tests/bench/functions.sh, in multiples of a unit. */
+static inline void deviation_print(const deviation *d, const char *name, double unit)
 {
-    printf("# %s: max %.4f, rms %.4f, bias %+.4f\n", name, d->worst, sqrt(d->squares / d->count),
-           d->sum / d->count);
+    printf("# %s: max %.4f, rms %.4f, bias %+.4f\n", name, d->worst / unit,
+           sqrt(d->squares / d->count) / unit, d->sum / d->count / unit);
 }
 
 #endif /* QV_DEVIATION_H */

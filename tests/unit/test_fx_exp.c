@@ -26,7 +26,7 @@ static void wide_error(void **state)
         last = t;
         deviation_add(&d, t, exact(depth));
     }
-    deviation_print(&d, "transmittance, units of 2^-31");
+    deviation_print(&d, "transmittance, units of 2^-31", 1);
     assert_true(d.worst <= .78);
 }
 
@@ -70,7 +70,7 @@ static void narrow_error(void **state)
         last = t;
         deviation_add(&d, t, 65535 * exp2l(-ldexpl(depth, -24)));
     }
-    deviation_print(&d, "transmittance of 16 bits, units of 1/65535");
+    deviation_print(&d, "transmittance of 16 bits, units of 1/65535", 1);
     assert_true(d.worst <= .51);
 }
 

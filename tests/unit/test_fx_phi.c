@@ -30,7 +30,7 @@ static void error(void **state)
         deviation_add(&d, phi, exact);
         relative = fmax(relative, (double)((fabsl(phi - exact) - 1) / exact));
     }
-    deviation_print(&d, "phi, units of 2^-31");
+    deviation_print(&d, "phi, units of 2^-16", 32768);
     printf("# phi, beyond the last place: max %.4f * 2^-16 of it\n", ldexp(relative, 16));
     assert_true(ldexp(d.worst, -15) <= .02);
     assert_true(ldexp(relative, 16) <= .16);
