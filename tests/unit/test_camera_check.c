@@ -234,7 +234,7 @@ static void views_are_independent(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_projection),       cmocka_unit_test(vectors_too_long),
+        cmocka_unit_test(no_projection),         cmocka_unit_test(vectors_too_long),
         cmocka_unit_test(eyes_too_far),          cmocka_unit_test(paces_out_of_range),
         cmocka_unit_test(steps_too_short),       cmocka_unit_test(vectors_of_no_length),
         cmocka_unit_test(a_camera_of_zeros),     cmocka_unit_test(parallel_and_coplanar_vectors),
