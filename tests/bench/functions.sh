@@ -18,7 +18,7 @@ count() { # count TARGET BOARD: lines "NAME INSTRUCTIONS", less those of an empt
         toolchain/emulate "$2" "$out/$1/functions.elf" >"$work/names" 2>"$work/messages" ||
         { cat "$work/messages" >&2; exit 1; }
     paste -d ' ' "$work/names" "$work/regions" |
-        awk 'NR == 1 { empty = $5 } { printf "%s %.0f\n", $1, ($5 - empty) / 256 }' >"$work/$1"
+        awk 'NR == 1 { empty = $6 } { printf "%s %.0f\n", $1, ($6 - empty) / 256 }' >"$work/$1"
 }
 
 rom() { # rom FUNCTION: "CODE TABLES" in bytes
