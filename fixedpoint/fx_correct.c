@@ -13,18 +13,11 @@ fx_depth fx_depth_scale(fx_depth depth, uint32_t ratio)
     return (whole << 16) + (fraction >> 16);
 }
 
-/* The depth of a stored opacity below full. */
-static fx_depth depth_of(fx_unorm16 opacity)
-{
-    uint32_t transmittance = 65535u - opacity;
-    return fx_depth_of_transmittance(transmittance << 16 | transmittance);
-}
-
 fx_unorm16 fx_correct_opacity(fx_unorm16 opacity, uint32_t ratio)
 {
     if (opacity == 65535u)
         return opacity;
-    uint32_t left = fx_opacity(fx_depth_scale(depth_of(opacity), ratio));
+    uint32_t left = fx_opacity(fx_depth_scale(fx_depth_of_unorm16(opacity), ratio));
     left -= left >> 16; /* times 65535/65536 */
     return (fx_unorm16)((left + 0x4000u) >> 15);
 }
@@ -35,7 +28,7 @@ uint32_t fx_correct_colour(fx_unorm16 opacity, uint32_t ratio)
 {
     if (opacity == 65535u)
         return ONE_Q27;
-    fx_depth depth = depth_of(opacity);
+    fx_depth depth = fx_depth_of_unorm16(opacity);
     uint32_t reciprocal = fx_reciprocal(fx_phi(depth));  /* Q5.27, below 12 */
     uint32_t phi = fx_phi(fx_depth_scale(depth, ratio)); /* Q1.31 */
     /* phi(r x) / phi(x) <= 12 and times r <= 16: Q5.27 * Q16.16 */

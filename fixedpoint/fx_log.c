@@ -29,15 +29,13 @@ fx_depth fx_depth_of_transmittance(uint32_t transmittance)
     /* -log2(1 - gap): at most .0444 in Q1.31; the depth of the segment's end is below 1 */
     uint32_t square = LOG_SQUARE + (LOG_CUBE * (place >> 16) >> 16); /* LOG_CUBE < 2^16 */
     uint32_t rise = fx_high_product(place, LOG_LINEAR + fx_high_product(place, square));
-    uint32_t fraction = fx_table32(&log_depth[segment]) + rise; /* <= 1, Q1.31 */
+    uint32_t fraction = fx_table32(&log_depth[segment]) + rise; /* <= 1, within the error */
     return ((fx_depth)whole << 32) + ((fx_depth)fraction << 1);
 }
 
 fx_extinction fx_extinction_of_unorm16(fx_unorm16 opacity)
 {
-    uint32_t transmittance = 65535u - opacity;
-    transmittance |= transmittance << 16; /* times 65537: of 2^32 - 1 what it was of 2^16 - 1 */
-    return (fx_extinction)((fx_depth_of_transmittance(transmittance) + 0x80u) >> 8);
+    return (fx_extinction)((fx_depth_of_unorm16(opacity) + 0x80u) >> 8); /* <= 2^30 */
 }
 
 /*

@@ -33,6 +33,12 @@ static inline fx_depth fx_depth_of_opacity(uint32_t opacity)
     return fx_depth_of_transmittance(0xFFFFFFFFu - opacity);
 }
 
+/* The depth of a stored opacity. 65537 is (2^32 - 1) / 65535. */
+static inline fx_depth fx_depth_of_unorm16(fx_unorm16 opacity)
+{
+    return fx_depth_of_transmittance(65537u * (65535u - (uint32_t)opacity));
+}
+
 /*
  * Extinction of a stored opacity, -log2(1 - opacity): Q8.24, 0 at 0, FX_OPAQUE at
  * 65535, rising with the opacity. Error at most .61 * 2^-24.
