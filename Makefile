@@ -9,6 +9,7 @@ MAKEFLAGS += --no-builtin-rules
 
 BUILD := build
 TARGET ?= host
+DEVICES := cortex-m0 cortex-m3
 OUT := $(BUILD)/$(TARGET)
 PREFIX ?= /usr/local
 LIBRARY := $(OUT)/libqvol.a
@@ -23,10 +24,10 @@ OPTIMISE ?= -O2
 TARGET_CC := $(CC)
 TARGET_AR := $(AR)
 TARGET_CFLAGS = $(OPTIMISE) -ffunction-sections -fdata-sections $(CFLAGS)
-else ifneq ($(wildcard toolchain/$(TARGET).mk),)
+else ifneq ($(filter $(TARGET),$(DEVICES)),)
 include toolchain/$(TARGET).mk
 else
-$(error no target $(TARGET); there are: host $(patsubst toolchain/%.mk,%,$(wildcard toolchain/cortex-m[0-9].mk)))
+$(error no target $(TARGET); there are: host $(DEVICES))
 endif
 
 # ---- The library: no package needed -----------------------------------------
@@ -49,10 +50,13 @@ $(LIBRARY): $(LIBRARY_OBJECTS)
 	@echo "  AR  $@"
 	@$(TARGET_AR) rcs $@ $^
 
-# Objects depend on their options: these are kept in a file that changes when they do.
-OPTIONS := $(OUT)/options
-$(shell mkdir -p $(OUT); echo '$(TARGET_CC) $(LIBRARY_CFLAGS)' | cmp -s - $(OPTIONS) || \
-	echo '$(TARGET_CC) $(LIBRARY_CFLAGS)' > $(OPTIONS))
+# What is built depends on its options too. $(call remember,FILE,TEXT): FILE holds
+# TEXT and changes only when TEXT does; make -n, help and clean write nothing.
+QUIET_GOALS := $(filter help clean,$(MAKECMDGOALS))$(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
+remember = $(if $(QUIET_GOALS),$(wildcard $(1)),$(shell mkdir -p $(dir $(1)); \
+	printf '%s\n' '$(subst ','\'',$(2))' | cmp -s - $(1) || printf '%s\n' '$(subst ','\'',$(2))' > $(1))$(1))
+
+OPTIONS := $(call remember,$(OUT)/options,$(TARGET_CC) $(LIBRARY_CFLAGS))
 
 $(OUT)/core/%.o: core/%.c $(OPTIONS)
 	@mkdir -p $(@D)
@@ -94,7 +98,7 @@ setup: ## install what demo and test need (Debian, as root)
 	@toolchain/setup
 
 demo: setup ## pictures of a real MRI, and of a microcontroller drawing it: build/demo/
-	@$(MAKE) --no-print-directory all
+	@$(MAKE) -s --no-print-directory all
 	@toolchain/demo
 
 test: setup ## everything that is tested; ends with "N passed, N failed"
@@ -107,15 +111,15 @@ test-exhaustive: ## every input of every fixed-point function: an hour or so
 
 .PHONY: install
 install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL)) ## header, archive, pkg-config file and command below PREFIX
-	install -d $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/lib/pkgconfig
-	install -m 644 core/qvol.h $(DESTDIR)$(PREFIX)/include/qvol.h
-	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib/libqvol.a
+	install -d "$(DESTDIR)$(PREFIX)/include" "$(DESTDIR)$(PREFIX)/lib/pkgconfig"
+	install -m 644 core/qvol.h "$(DESTDIR)$(PREFIX)/include/qvol.h"
+	install -m 644 $(LIBRARY) "$(DESTDIR)$(PREFIX)/lib/libqvol.a"
 	version=$$(sed -n 's/^#define QV_VERSION  *"\(.*\)"/\1/p' core/qvol.h) && \
 	sed -e "s|@PREFIX@|$(PREFIX)|" -e "s|@VERSION@|$$version|" toolchain/qvol.pc.in \
-		> $(DESTDIR)$(PREFIX)/lib/pkgconfig/qvol.pc
+		> "$(DESTDIR)$(PREFIX)/lib/pkgconfig/qvol.pc"
 ifeq ($(TARGET),host)
-	install -d $(DESTDIR)$(PREFIX)/bin
-	install -m 755 $(QVOL) $(DESTDIR)$(PREFIX)/bin/qvol
+	install -d "$(DESTDIR)$(PREFIX)/bin"
+	install -m 755 $(QVOL) "$(DESTDIR)$(PREFIX)/bin/qvol"
 endif
 
 # ---- Care -----------------------------------------------------------------------

@@ -65,6 +65,9 @@ extern "C" {
 #define QV_VERSION_PATCH 0
 #define QV_VERSION       "0.1.0"
 
+/* Of tests/SPEC.md, which states every bit of output; counted up when one changes. */
+#define QV_SPECIFICATION 1
+
 /* ---- Memory ------------------------------------------------------------- */
 
 /*

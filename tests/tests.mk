@@ -60,7 +60,9 @@ $(TABLE_GENERATOR): $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/tables/*.c))
 	@echo "  LD  $@"
 	@$(CC) $(CFLAGS) $^ -lmpfr -lgmp -o $@
 
-$(TEST_OUT)/%.o: %.c
+TEST_OPTIONS := $(call remember,$(TEST_OUT)/options,$(CC) $(TEST_CFLAGS) $(TEST_LIBS))
+
+$(TEST_OUT)/%.o: %.c $(TEST_OPTIONS)
 	@mkdir -p $(@D)
 	@echo "  CC  $<"
 	@$(CC) $(TEST_CFLAGS) -c $< -o $@

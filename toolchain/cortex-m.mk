@@ -2,8 +2,9 @@
 # TARGET_SYSTICK_HZ and TARGET_PACKAGES, and includes this file.
 TARGET_CC := arm-none-eabi-gcc
 TARGET_AR := arm-none-eabi-ar
-TARGET_NM := arm-none-eabi-nm
-TARGET_SIZE := arm-none-eabi-size
+ifeq ($(shell command -v $(TARGET_CC)),)
+$(error $(TARGET) needs $(TARGET_CC); Debian's packages: $(TARGET_PACKAGES))
+endif
 
 # Optimisation of the library and the firmware: make OPTIMISE=-O3 TARGET=...
 OPTIMISE ?= -Os
@@ -17,6 +18,3 @@ TARGET_PORT := $(addprefix port/cortex-m/,startup.c bytes.c semihosting.c stack.
 TARGET_LDFLAGS := $(TARGET_CPU) -nostdlib -Wl,--gc-sections -Ltoolchain \
 	-T toolchain/$(TARGET_BOARD).ld
 TARGET_LDLIBS := -lgcc
-
-# Runs a firmware: $(TARGET_RUN) FILE.elf [ARGUMENT...]
-TARGET_RUN := toolchain/emulate $(TARGET_BOARD)

@@ -37,6 +37,8 @@ FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
 DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \
 	-Icore -Ifixedpoint -Iport -Iport/cortex-m -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
+DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CFLAGS) $(TARGET_LDFLAGS))
+DEVICE_SCRIPTS := toolchain/$(TARGET_BOARD).ld toolchain/cortex-m.ld
 
 # Objects of sources in the tree, and of generated ones, which lie in $(OUT).
 objects = $(patsubst %.c,$(OUT)/%.o,$(1:$(OUT)/%=%))
@@ -44,22 +46,22 @@ objects = $(patsubst %.c,$(OUT)/%.o,$(1:$(OUT)/%=%))
 .PHONY: firmware
 firmware: $(FIRMWARE:%=$(OUT)/%.elf)
 
-$(OUT)/port/%.o: port/%.c
+$(OUT)/port/%.o: port/%.c $(DEVICE_OPTIONS)
 	@mkdir -p $(@D)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
 
-$(OUT)/tests/%.o: tests/%.c
+$(OUT)/tests/%.o: tests/%.c $(DEVICE_OPTIONS)
 	@mkdir -p $(@D)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
 
-$(OUT)/%.o: $(OUT)/%.c
+$(OUT)/%.o: $(OUT)/%.c $(DEVICE_OPTIONS)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
 
 define link_firmware
-$(OUT)/$(1).elf: $(call objects,$(FIRMWARE_$(1))) $(DEVICE_OBJECTS) $(LIBRARY)
+$(OUT)/$(1).elf: $(call objects,$(FIRMWARE_$(1))) $(DEVICE_OBJECTS) $(LIBRARY) $(DEVICE_SCRIPTS)
 	@echo "  LD  $$@"
 	@$(TARGET_CC) $(TARGET_LDFLAGS) -Wl,-Map,$$(@:.elf=.map) $$(filter %.o,$$^) $(LIBRARY) \
 		$(TARGET_LDLIBS) -o $$@
@@ -70,16 +72,23 @@ $(foreach name,$(FIRMWARE),$(eval $(call link_firmware,$(name))))
 
 # ---- The head in flash ----------------------------------------------------------
 
-$(QVOL):
+# Its own rules, in host.mk, decide what has to be done.
+$(QVOL): $(LIBRARY_SOURCES) $(wildcard core/*.h fixedpoint/*.h port/*.[ch] port/host/*)
 	@$(MAKE) --no-print-directory TARGET=host $@
 
-$(OUT)/head.c: $(SCAN) $(QVOL)
+$(SCAN):
+	@echo "make: there is no scan $@; it comes with the package mricron-data, or give SCAN=FILE" >&2; exit 2
+
+HEAD_OPTIONS := $(call remember,$(OUT)/head-options,$(SCAN) $(SCAN_OPTIONS))
+VIEW_OPTIONS := $(call remember,$(OUT)/view-options,$(OLED_VIEW))
+
+$(OUT)/head.c: $(SCAN) $(QVOL) $(HEAD_OPTIONS)
 	@mkdir -p $(@D)
 	@echo "  GEN $@"
 	@$(QVOL) classify $(SCAN) --quiet --storage indexed8 $(SCAN_OPTIONS) --name head -o $@
 
 # The same voxels for the host, which learns their size from the C file's comment.
-$(OUT)/head.raw: $(SCAN) $(QVOL)
+$(OUT)/head.raw: $(SCAN) $(QVOL) $(HEAD_OPTIONS)
 	@mkdir -p $(@D)
 	@echo "  GEN $@"
 	@$(QVOL) classify $(SCAN) --quiet --storage indexed8 $(SCAN_OPTIONS) -o $@
@@ -88,7 +97,7 @@ HEAD_SIZE = $$(sed -n -e 's/ x /x/g' -e 's/^ \* size *\([0-9x]*\) voxels/--dims 
 	-e 's/^ \* spacing *\([0-9.x]*\)/--spacing \1/p' $(OUT)/head.c)
 
 # The report of the picture holds its view and its checksum.
-$(OUT)/oled.json: $(OUT)/head.raw $(OUT)/head.c
+$(OUT)/oled.json: $(OUT)/head.raw $(OUT)/head.c $(VIEW_OPTIONS)
 	@echo "  GEN $@"
 	@$(QVOL) render $< --quiet --type indexed8 --palette $<.palette $(HEAD_SIZE) \
 		--size 128x64 --format grey4 $(OLED_VIEW) --json=$@ -o $(@:.json=.raw)

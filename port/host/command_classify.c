@@ -144,7 +144,7 @@ static void export(struct model *model, const struct settings *settings)
     if (target.is_array) {
         flash_array_end(&target.array);
     }
-    if (!target.is_array && model->palette != NULL && !is_standard_stream(settings->output)) {
+    if (!target.is_array && model->palette != NULL) {
         write_palette(model, settings);
     }
     output_commit(&target.out);
@@ -157,6 +157,9 @@ int command_classify(const struct settings *settings)
     model_read(&model, settings, settings->operands[0], QV_STORAGE_INDEXED8);
     if (model.classified_before) {
         data_error(model.scan.file, "type", "is classified already");
+    }
+    if (model.palette != NULL && is_standard_stream(settings->output)) {
+        usage_error("--output", "the palette of indexed8 needs a file beside the voxels");
     }
     reduce(&model, settings);
     export(&model, settings);

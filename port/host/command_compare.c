@@ -142,7 +142,7 @@ static void check_output(const struct settings *settings)
     }
 }
 
-/* Like cmp and diff, the status tells whether there was a difference. */
+/* Fails where there was a difference, as where a picture cannot be read. */
 int command_compare(const struct settings *settings)
 {
     struct picture a, b;

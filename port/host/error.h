@@ -13,7 +13,7 @@
 /* The name before every message, "qvol" until a command is known. */
 void error_set_command(const char *name);
 
-/* "COMMAND: OPTION: reason (try 'COMMAND --help')" */
+/* "COMMAND: OPTION: reason (see COMMAND --help)" */
 void usage_error(const char *option, const char *format, ...)
     __attribute__((noreturn, format(printf, 2, 3)));
 
@@ -24,7 +24,7 @@ void data_error(const char *file, const char *field, const char *format, ...)
 /* data_error with the text of errno as the reason. */
 void system_error(const char *file, const char *field) __attribute__((noreturn));
 
-/* malloc and calloc that never return null; `file` and `field` name who asks. */
+/* Zeroed, and never null; `file` and `field` name who asks. */
 void *allocate(unsigned long long bytes, const char *file, const char *field);
 
 #endif

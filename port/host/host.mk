@@ -49,19 +49,17 @@ endif
 HOST_OBJECTS := $(HOST_SOURCES:%.c=$(OUT)/%.o)
 HOST_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(OPTIMISE) $(CFLAGS) -pthread $(HOST_CPPFLAGS)
 
-# The objects depend on which libraries there are: the list is kept in a file
-# that changes only when it does.
-HOST_FOUND := $(OUT)/packages-found
-$(shell mkdir -p $(OUT); \
-	echo '$(HOST_PACKAGES_FOUND)' | cmp -s - $(HOST_FOUND) || \
-	echo '$(HOST_PACKAGES_FOUND)' > $(HOST_FOUND))
+# Which libraries there are is among the options.
+HOST_OPTIONS := $(call remember,$(OUT)/host-options,$(CC) $(HOST_CFLAGS) $(LDFLAGS) $(HOST_LIBS))
 
-$(OUT)/port/%.o: port/%.c $(HOST_FOUND)
+$(OUT)/port/%.o: port/%.c $(HOST_OPTIONS)
 	@mkdir -p $(@D)
-	$(CC) $(HOST_CFLAGS) -c $< -o $@
+	@echo "  CC  $<"
+	@$(CC) $(HOST_CFLAGS) -c $< -o $@
 
 $(QVOL): $(HOST_OBJECTS) $(LIBRARY)
-	$(CC) $(OPTIMISE) $(CFLAGS) $(LDFLAGS) -o $@ $(HOST_OBJECTS) $(LIBRARY) $(HOST_LIBS)
+	@echo "  LD  $@"
+	@$(CC) $(OPTIMISE) $(CFLAGS) $(LDFLAGS) -o $@ $(HOST_OBJECTS) $(LIBRARY) $(HOST_LIBS)
 
 -include $(HOST_OBJECTS:.o=.d)
 

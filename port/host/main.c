@@ -3,6 +3,7 @@
  */
 #include "commands.h"
 #include "error.h"
+#include "output.h"
 #include "transfer_text.h"
 
 #include <stdio.h>
@@ -97,6 +98,7 @@ int main(int argc, char **argv)
 {
     struct settings settings;
     const struct command *command;
+    claim_standard_streams();
     if (argc < 2) {
         usage_error("command", "none given, use render, info, compare or classify");
     }

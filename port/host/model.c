@@ -111,6 +111,18 @@ static void read_scalars(struct model *model, const struct settings *settings,
     make_palette(model);
 }
 
+/* Within a percent: files round their lengths. */
+static bool same_spacing(const struct model *a, const struct model *b)
+{
+    bool same = true;
+    for (unsigned w = 0; w < 3; w++) {
+        double length = a->view.scalars.spacing[w] * a->world_unit;
+        double other = b->view.scalars.spacing[w] * b->world_unit;
+        same = same && fabs(length - other) <= length / 100;
+    }
+    return same;
+}
+
 /* The mask is classified by itself, its gradients too: at the edge of an organ
    that stands alone they are the organ's surface. */
 static void read_mask(struct model *model, const struct settings *settings)
@@ -118,6 +130,7 @@ static void read_mask(struct model *model, const struct settings *settings)
     struct settings own = *settings;
     struct model *mask = allocate(sizeof *mask, settings->mask, NULL);
     own.mask = NULL;
+    own.mask_transfer = NULL;
     own.transfer = settings->mask_transfer;
     if (own.transfer == NULL) {
         usage_error("--mask", "needs --mask-tf");
@@ -132,6 +145,9 @@ static void read_mask(struct model *model, const struct settings *settings)
     if (memcmp(mask->view.scalars.size, model->view.scalars.size,
                sizeof model->view.scalars.size) != 0) {
         data_error(settings->mask, "size", "differs from that of %s", model->scan.file);
+    }
+    if (!same_spacing(mask, model)) {
+        data_error(settings->mask, "spacing", "differs from that of %s", model->scan.file);
     }
     model->mask = mask;
 }
@@ -203,6 +219,9 @@ void model_read(struct model *model, const struct settings *settings, const char
                 qv_storage default_storage)
 {
     memset(model, 0, sizeof *model);
+    if (settings->mask == NULL && settings->mask_transfer != NULL) {
+        usage_error("--mask-tf", "needs --mask");
+    }
     input_read(&model->scan, name, &settings->raw);
     if (element_is_classified(model->scan.type)) {
         read_classified(model, settings);

@@ -92,8 +92,8 @@ void model_classify(void *voxels, size_t bytes, const struct model *model, uint3
 {
     const qv_scalars *scalars = &model->classifier.scalars;
     qv_block block = {{0, 0, (uint16_t)first}, {scalars->size[0], scalars->size[1], (uint16_t)end}};
-    check_status(qv_classify(voxels, bytes, model->storage, &model->classifier, &block), model,
-                 "classification");
+    check_status(qv_classify(voxels, bytes, (uint8_t)model->storage, &model->classifier, &block),
+                 model, "classification");
     if (model->mask != NULL) {
         apply_mask(voxels, bytes, model->mask, first, end);
     }

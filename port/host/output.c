@@ -1,7 +1,7 @@
 /*
  * output.c - write beside the target, then rename.
  */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700 /* realpath */
 
 #include "output.h"
 #include "error.h"
@@ -32,6 +32,11 @@ static void remove_temporaries(void)
     }
 }
 
+/* The signals that end the program from without; one that was ignored when it
+   started (nohup, a shell's background job) stays ignored. SIGPIPE is what a reader
+   that has seen enough sends. */
+static const int fatal_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
+
 /* unlink, signal and raise are safe in a handler. */
 static void remove_on_signal(int number)
 {
@@ -40,16 +45,23 @@ static void remove_on_signal(int number)
     raise(number);
 }
 
+static void install_handlers(void)
+{
+    for (unsigned i = 0; i < sizeof fatal_signals / sizeof fatal_signals[0]; i++) {
+        if (signal(fatal_signals[i], remove_on_signal) == SIG_IGN) {
+            signal(fatal_signals[i], SIG_IGN);
+        }
+    }
+    signal(SIGXFSZ, SIG_IGN); /* a limit on the size of files: fwrite fails and says so */
+}
+
 void remove_at_exit(char *path)
 {
     static bool installed = false;
     unsigned slot = 0;
     if (!installed) {
         atexit(remove_temporaries);
-        signal(SIGINT, remove_on_signal);
-        signal(SIGTERM, remove_on_signal);
-        signal(SIGHUP, remove_on_signal);
-        signal(SIGXFSZ, SIG_IGN); /* a limit on the size of files: fwrite fails and says so */
+        install_handlers();
         installed = true;
     }
     while (slot + 1 < TEMPORARY_FILES && temporaries[slot] != NULL) {
@@ -68,45 +80,73 @@ static void forget_temporary(const char *path)
     }
 }
 
-/* Renaming would replace a device or a pipe by a file. */
-static bool written_directly(const char *target)
+/* Reading from the one or writing to the other two fails, as it should. */
+void claim_standard_streams(void)
 {
-    struct stat status;
-    return is_standard_stream(target) || (stat(target, &status) == 0 && !S_ISREG(status.st_mode));
+    for (int descriptor = 0; descriptor < 3; descriptor++) {
+        if (fcntl(descriptor, F_GETFD) < 0) {
+            open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
+        }
+    }
 }
 
-/* TARGET.PID.tmp: the same folder, so that rename does not cross file systems. */
-static char *temporary_name(const char *target)
+/* /dev/stdout, or a file into which the shell has redirected it. */
+static bool is_standard_output(const struct stat *status)
 {
-    size_t bytes = strlen(target) + 32;
-    char *name = allocate(bytes, target, NULL);
-    snprintf(name, bytes, "%s.%ld.tmp", target, (long)getpid());
+    struct stat standard;
+    return fstat(STDOUT_FILENO, &standard) == 0 && standard.st_dev == status->st_dev &&
+           standard.st_ino == status->st_ino;
+}
+
+/* What a link leads to: renaming would replace the link itself. */
+static char *resolved(const char *target)
+{
+    char *path = realpath(target, NULL);
+    if (path == NULL) {
+        system_error(target, NULL);
+    }
+    return path;
+}
+
+/* PATH.PID.tmp: the same folder, so that rename does not cross file systems. */
+static char *temporary_name(const char *path)
+{
+    size_t bytes = strlen(path) + 32;
+    char *name = allocate(bytes, path, NULL);
+    snprintf(name, bytes, "%s.%ld.tmp", path, (long)getpid());
     return name;
 }
 
-/* O_EXCL: never over a file, nor through a link, that stands there. */
-static void open_temporary(output *out)
+/* O_EXCL: never over a file, nor through a link, that stands there. A file that is
+   replaced hands on its permissions. */
+static void open_temporary(output *out, const struct stat *replaced)
 {
     int descriptor;
-    out->temporary = temporary_name(out->target);
+    out->path = replaced != NULL ? resolved(out->target) : NULL;
+    out->temporary = temporary_name(replaced != NULL ? out->path : out->target);
     descriptor = open(out->temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
     if (descriptor < 0) {
         system_error(out->target, NULL);
     }
     remove_at_exit(out->temporary);
+    if (replaced != NULL) {
+        fchmod(descriptor, replaced->st_mode & 0777);
+    }
     out->stream = fdopen(descriptor, "wb");
 }
 
+/* Renaming would replace a device or a pipe by a file: these are written directly. */
 void output_open(output *out, const char *target)
 {
-    out->target = target;
-    out->temporary = NULL;
-    if (is_standard_stream(target)) {
+    struct stat status;
+    bool exists = !is_standard_stream(target) && stat(target, &status) == 0;
+    *out = (output){.target = target};
+    if (is_standard_stream(target) || (exists && is_standard_output(&status))) {
         out->stream = stdout;
-    } else if (written_directly(target)) {
+    } else if (exists && !S_ISREG(status.st_mode)) {
         out->stream = fopen(target, "wb");
     } else {
-        open_temporary(out);
+        open_temporary(out, exists ? &status : NULL);
     }
     if (out->stream == NULL) {
         system_error(target, NULL);
@@ -127,7 +167,7 @@ void output_commit(output *out)
         failed = fclose(out->stream) != 0;
     }
     if (!failed && out->temporary != NULL) {
-        failed = rename(out->temporary, out->target) != 0;
+        failed = rename(out->temporary, out->path != NULL ? out->path : out->target) != 0;
     }
     if (failed) {
         system_error(out->target, NULL);
@@ -135,5 +175,6 @@ void output_commit(output *out)
     if (out->temporary != NULL) {
         forget_temporary(out->temporary);
         free(out->temporary);
+        free(out->path);
     }
 }

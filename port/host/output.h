@@ -3,7 +3,8 @@
  *
  * An output is written to a temporary file beside its target and renamed when
  * everything has succeeded. "-" is standard output; a target that exists and is
- * no regular file (a device, a pipe) is written directly.
+ * no regular file (a device, a pipe), or is standard output by another name, is
+ * written directly. A link stays: what it leads to is replaced.
  */
 #ifndef QVOL_HOST_OUTPUT_H
 #define QVOL_HOST_OUTPUT_H
@@ -13,6 +14,7 @@
 
 typedef struct output {
     const char *target; /* as the user named it */
+    char *path;         /* what the target leads to; null: there is nothing yet */
     char *temporary;    /* null: written directly */
     FILE *stream;
 } output;
@@ -30,5 +32,9 @@ void output_commit(output *out);
 void remove_at_exit(char *path);
 
 bool is_standard_stream(const char *name);
+
+/* Before any file is opened: none gets the number of a standard stream that was
+   closed, or the report would end up in the picture. */
+void claim_standard_streams(void);
 
 #endif

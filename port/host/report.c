@@ -109,14 +109,17 @@ static void report_transfer(struct json *json, const struct model *model)
     json_object(json, "transfer");
     if (!model->classified_before) {
         json_text(json, "name", model->transfer.name);
-        json_integer(json, "bits", 16);
-        report_table(json, &model->table.rgba[0][0], NULL);
     } else if (model->palette != NULL) {
         json_text(json, "name", "palette");
-        json_integer(json, "bits", wide ? 16 : 8);
-        report_table(json, wide ? model->palette : NULL, wide ? NULL : model->palette);
     } else {
         json_null(json, "name");
+    }
+    if (model->palette != NULL) { /* what the samples read */
+        json_integer(json, "bits", wide ? 16 : 8);
+        report_table(json, wide ? model->palette : NULL, wide ? NULL : model->palette);
+    } else if (!model->classified_before) {
+        json_integer(json, "bits", 16);
+        report_table(json, &model->table.rgba[0][0], NULL);
     }
     json_close(json);
 }
@@ -226,6 +229,7 @@ void report_scene(output *out, const struct model *model, const qv_scene *scene,
     json_begin(&json, out);
     json_text(&json, "program", "qvol");
     json_text(&json, "version", qv_version());
+    json_integer(&json, "specification", QV_SPECIFICATION);
     report_model(&json, model);
     if (model->mask != NULL) {
         json_object(&json, "mask");

@@ -15,7 +15,7 @@ refuses "full disk: classify" 1 "/dev/full: No space left" "$QVOL" classify $IN 
 refuses "full disk: report" 1 "/dev/full: No space left" "$QVOL" render $IN $SMALL -o a.png --json=/dev/full
 check "then the picture is not there either" test ! -e a.png
 for command in "--help" "--version" "render --help" "info $IN" "info $IN --json" "render $IN $SMALL -o -" \
-    "classify $IN -o -"; do
+    "classify $IN --storage rgba8 -o -"; do
     # shellcheck disable=SC2086
     "$QVOL" $command >/dev/full 2>.err
     status=$?
@@ -61,6 +61,39 @@ check "it holds the picture" test "$(wc -c <same_12x10x8_uint8.raw)" -eq 192
 echo before >kept.raw
 "$QVOL" render $IN -o kept.raw --size 8x8 --json=report.json &&
     check "an old file is replaced" test "$(wc -c <kept.raw)" -eq 192
+# Links stay links, standard output by another name is not replaced.
+mkdir behind
+echo before >behind/real.pam
+ln -s behind/real.pam link.pam
+"$QVOL" render $IN -o link.pam --size 8x8
+check "a link stays a link" test -h link.pam
+check "what it leads to is replaced" grep -q P7 behind/real.pam
+ln -s /proc/self/fd/1 stdout.pam
+"$QVOL" render $IN -o stdout.pam --size 8x8 >redirected.pam
+check "a link to standard output stays" test -h stdout.pam
+check "the picture is where standard output leads" cmp redirected.pam behind/real.pam
+touch private.raw
+chmod 600 private.raw
+"$QVOL" render $IN -o private.raw --size 8x8
+check "a file that is replaced keeps its permissions" test "$(stat -c %a private.raw)" = 600
+
+# A standard stream that is closed is no place for a report.
+"$QVOL" render $IN -o shut.pam --size 8x8 --json >&- 2>shut.err
+check "a closed standard output is an error" test $? -eq 1
+check "in one line" test "$(wc -l <shut.err)" -eq 1
+check "and leaves no picture" test ! -e shut.pam
+
+# A reader that has seen enough.
+mkdir piped
+(
+    cd piped || exit 1
+    TMPDIR=$PWD
+    export TMPDIR
+    "$QVOL" render - --dims 12x10x8 --type u8 -o a.pam --size 200x200 --json <../$IN | true
+    "$QVOL" render - --dims 12x10x8 --type u8 -o - --size 900x900 <../$IN | head -c 1 >one
+)
+check "a pipe that breaks leaves no temporary file" sh -c '! ls piped | grep -v -x -e one -e a.pam'
+
 umask 027
 "$QVOL" render $IN -o mode.raw --size 8x8
 check "files get the usual permissions" test "$(stat -c %a mode.raw)" = 640
@@ -74,6 +107,16 @@ status=$?
 check "an interrupted run ends by its signal" test $status -eq 143
 check "and leaves the old file" grep -q before kept.raw
 check "and no other" sh -c '! ls | grep "\.tmp$"'
+mkfifo held
+sh -c 'trap "" HUP; exec "$@"' - "$QVOL" info held >said.out 2>said.err &
+pid=$!
+exec 3>held
+cat $IN >&3
+sleep 0.3
+kill -HUP $pid
+exec 3>&-
+wait $pid
+check "a signal that was ignored stays so" test $? -eq 1
 mkdir spool
 mkfifo fifo
 TMPDIR=$work/spool "$QVOL" info fifo 2>interrupted.err &

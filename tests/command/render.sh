@@ -129,4 +129,10 @@ differs "--mask replaces voxels" half.pam base.pam
 differs "--mask replaces only voxels of the mask" half.pam masked.pam
 refuses "a mask of another size" 1 "size: differs" "$QVOL" render $IN -o x.pam \
     --mask small_6x10x8_uint8.raw --mask-tf grey
+"$PYTHON" -c '
+from volumes import *
+write("plain.nii", nifti(blob()))
+write("tall.nii", nifti(blob(), spacing=(1, 1, 3)))'
+refuses "a mask of other spacing" 1 "spacing: differs" "$QVOL" render plain.nii -o x.pam \
+    --mask tall.nii --mask-tf grey
 finish

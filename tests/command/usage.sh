@@ -29,6 +29,7 @@ refuses "unknown option" 2 "--colour: unknown" "$QVOL" render $IN -o a.pam --col
 refuses "unknown letter" 2 ": -x: unknown" "$QVOL" render $IN -o a.pam -x
 refuses "unknown letter after another" 2 ": -x: unknown" "$QVOL" render $IN -o a.pam -qx
 refuses "option of another command" 2 "unknown" "$QVOL" info $IN --zoom 2
+refuses "palette without a file" 2 "needs a file" "$QVOL" classify $IN -o -
 refuses "no value" 2 "needs a value" "$QVOL" render $IN -o a.pam --zoom
 refuses "no input" 2 "0 given" "$QVOL" render -o a.pam
 refuses "two inputs" 2 "2 given" "$QVOL" render $IN $IN -o a.pam
@@ -89,6 +90,7 @@ refused --spacing 1x2 "XxYxZ"
 refused --palette no.palette "only data of --type indexed8"
 refused --light 5 "RIGHT,UP"
 refused --mask $IN "needs --mask-tf"
+refused --mask-tf skin "needs --mask"
 refuses "--shade with a palette" 2 "rgba8 or rgba16" "$QVOL" render $IN -o a.pam --storage indexed8 --shade
 refuses "--mask with a palette" 2 "rgba8 or rgba16" "$QVOL" render $IN -o a.pam --storage indexed8 \
     --mask $IN --mask-tf grey

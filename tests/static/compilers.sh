@@ -1,5 +1,5 @@
 #!/bin/sh
-# The library and its tests compile without a warning: gcc and clang, four levels
+# The library, its tests and the command compile without a warning: gcc and clang, four levels
 # of optimisation (which warnings depend on). As 32-bit programs, where offsets and
 # sizes are narrower, the unit tests and golden scenes also pass.
 set -eu
@@ -39,7 +39,7 @@ makes() { # makes COMPILER OPTIMISE CFLAGS TARGET...
 for compiler in gcc clang; do
     for optimise in -O0 -O2 -Os -O3; do
         # shellcheck disable=SC2046
-        makes $compiler $optimise "" $(objects)
+        makes $compiler $optimise "" $(objects) "$work/build/host/qvol"
     done
 done
 makes gcc -O2 -m32 check
