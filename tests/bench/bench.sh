@@ -4,11 +4,11 @@
 set -eu
 : "${CC:=cc}" "${BUILD:=build}"
 cd "$(dirname "$0")/../.."
-make -s BUILD="$BUILD/bench" OPTIMISE=-O2 CFLAGS= lib >&2
+make -s BUILD="$BUILD/bench-host" OPTIMISE=-O2 CFLAGS= lib >&2
 $CC -std=c99 -D_POSIX_C_SOURCE=200809L -O2 -Icore tests/bench/bench_host.c \
-    tests/bench/float_renderer.c "$BUILD/bench/host/libqvol.a" -lm -o "$BUILD/bench/bench_host"
+    tests/bench/float_renderer.c "$BUILD/bench-host/host/libqvol.a" -lm -o "$BUILD/bench-host/bench"
 tests/bench/device.sh
 echo
 echo "Host ($($CC --version | head -n 1), -O2, one thread; 256x256 frame of 128x128x128 voxels):"
 echo
-"$BUILD/bench/bench_host"
+"$BUILD/bench-host/bench"
