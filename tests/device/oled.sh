@@ -2,25 +2,9 @@
 # The head on the OLED of the emulated Cortex-M3: the device's checksum, the
 # pixels of the screenshot and the bytes of the host are the same.
 set -eu
+. tests/tap
 build=${BUILD:-build}
 out=$build/cortex-m3
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-number=0
-failed=0
-
-check() { # check NAME COMMAND...
-    name=$1
-    shift
-    number=$((number + 1))
-    if "$@" >"$work/messages" 2>&1; then
-        echo "ok $number - $name"
-    else
-        failed=$((failed + 1))
-        echo "not ok $number - $name"
-        sed 's/^/# /' "$work/messages"
-    fi
-}
 
 same_checksum() {
     device=$(sed -n 's/^checksum //p' "$work/console")
@@ -67,5 +51,4 @@ check "pixels of the panel and bytes of the host" same_pixels
 check "instructions and stack are reported" reports_figures
 check "firmware ends when it is told to" toolchain/emulate lm3s6965evb "$out/head.elf" exit
 sed -n 's/^\(instructions\|stack\)/# head on the OLED: \1/p' "$work/console"
-echo "1..$number"
-[ "$failed" -eq 0 ]
+finish

@@ -3,11 +3,7 @@
 # of optimisation (which warnings depend on). As 32-bit programs, where offsets and
 # sizes are narrower, the unit tests and golden scenes also pass.
 set -eu
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-unset MAKEFLAGS MFLAGS MAKELEVEL # of a make that runs this script
-number=0
-failed=0
+. tests/tap
 
 # The objects of the library and of its tests on this machine.
 objects() {
@@ -20,28 +16,20 @@ objects() {
     done
 }
 
-makes() { # makes COMPILER OPTIMISE CFLAGS TARGET...
-    number=$((number + 1))
-    name="$1 $2${3:+ $3}"
+makes() { # makes COMPILER OPTIMISE CFLAGS TARGET...: without a warning
     compiler=$1 optimise=$2 cflags=$3
     shift 3
     rm -rf "$work/build"
-    if make -s -j2 BUILD="$work/build" CC="$compiler" OPTIMISE="$optimise" CFLAGS="$cflags" "$@" \
-        >"$work/log" 2>&1 && ! grep -i warning "$work/log"; then
-        echo "ok $number - $name"
-    else
-        failed=1
-        echo "not ok $number - $name"
-        grep -e error -e warning -e 'not ok' "$work/log" | head -n 20 | sed 's/^/# /'
-    fi
+    make -s -j2 BUILD="$work/build" CC="$compiler" OPTIMISE="$optimise" CFLAGS="$cflags" "$@" \
+        >"$work/messages" 2>&1 || { tail -n 20 "$work/messages" && return 1; }
+    ! grep -i warning "$work/messages"
 }
 
 for compiler in gcc clang; do
     for optimise in -O0 -O2 -Os -O3; do
         # shellcheck disable=SC2046
-        makes $compiler $optimise "" $(objects) "$work/build/host/qvol"
+        check "$compiler $optimise" makes $compiler $optimise "" $(objects) "$work/build/host/qvol"
     done
 done
-makes gcc -O2 -m32 check
-echo "1..$number"
-exit $failed
+check "gcc -O2 -m32" makes gcc -O2 -m32 check
+finish

@@ -7,17 +7,8 @@
 # have a branch for each constant argument, most of which no mode can take. A
 # header's branch is covered when any file that includes it takes it, also a test.
 set -eu
+. tests/tap
 LEAST=95
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-unset MAKEFLAGS MFLAGS MAKELEVEL # of a make that runs this script
-failed=0
-
-result() { # result STATUS NUMBER NAME: STATUS 0 has passed
-    [ "$1" -eq 0 ] || failed=1
-    [ "$1" -eq 0 ] || printf 'not '
-    echo "ok $2 - $3"
-}
 
 cat >"$work/gcc" <<'END'
 #!/bin/sh
@@ -29,7 +20,7 @@ chmod +x "$work/gcc"
 status=0
 make -s BUILD="$work/build" CC="$work/gcc" OPTIMISE=-O0 WITHOUT="png nifti nrrd cmocka" \
     check >"$work/log" 2>&1 || status=1
-result $status 1 "unit tests and golden scenes pass while branches are counted"
+outcome $status "unit tests and golden scenes pass while branches are counted"
 [ $status -eq 0 ] || awk '/not ok|error/ { print "# " $0 }' "$work/log"
 
 gcovr --root . --filter core/ --filter fixedpoint/ --branches "$work" \
@@ -38,6 +29,5 @@ awk '/^(core|fixedpoint|TOTAL)/ { print "# " $0 }' "$work/report"
 share=$(awk '$1 == "TOTAL" && $2 > 0 { printf "%d", 100 * $3 / $2 }' "$work/report")
 status=0
 [ "${share:-0}" -ge $LEAST ] || status=1
-result $status 2 "branches of core and fixedpoint: ${share:-0} of 100, at least $LEAST"
-echo "1..2"
-exit $failed
+outcome $status "branches of core and fixedpoint: ${share:-0} of 100, at least $LEAST"
+finish

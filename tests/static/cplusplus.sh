@@ -2,11 +2,8 @@
 # qvol.h from C++: three standards, two compilers, warnings as errors, linked with
 # the library and run.
 set -eu
+. tests/tap
 build=${BUILD:-build}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-number=0
-failed=0
 
 cat >"$work/program.cpp" <<'END'
 #include "qvol.h"
@@ -35,17 +32,14 @@ int main()
 END
 
 make -s TARGET=host BUILD="$build" lib >&2
+runs() { # runs COMPILER STANDARD
+    $1 -std="$2" -pedantic -Wall -Wextra -Werror -Icore "$work/program.cpp" \
+        "$build/host/libqvol.a" -o "$work/program" && "$work/program"
+}
+
 for compiler in g++ clang++; do
     for standard in c++98 c++11 c++17; do
-        number=$((number + 1))
-        if $compiler -std=$standard -pedantic -Wall -Wextra -Werror -Icore "$work/program.cpp" \
-            "$build/host/libqvol.a" -o "$work/program" && "$work/program"; then
-            echo "ok $number - $compiler -std=$standard"
-        else
-            failed=$((failed + 1))
-            echo "not ok $number - $compiler -std=$standard"
-        fi
+        check "$compiler -std=$standard" runs $compiler $standard
     done
 done
-echo "1..$number"
-[ "$failed" -eq 0 ]
+finish

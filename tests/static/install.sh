@@ -2,26 +2,9 @@
 # `make install`: what it puts where, and that a program of ten lines builds and runs
 # with nothing but what pkg-config tells.
 set -eu
+. tests/tap
 : "${CC:=cc}"
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-unset MAKEFLAGS MFLAGS MAKELEVEL # of a make that runs this script
 prefix=$work/prefix
-number=0
-failed=0
-
-runs() { # runs NAME COMMAND...
-    name=$1
-    shift
-    number=$((number + 1))
-    if "$@" >"$work/log" 2>&1; then
-        echo "ok $number - $name"
-    else
-        failed=1
-        echo "not ok $number - $name"
-        sed 's/^/# /' "$work/log"
-    fi
-}
 
 cat >"$work/list" <<'END'
 bin/qvol
@@ -67,10 +50,9 @@ staged() {
 }
 
 export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
-runs "make install" installs PREFIX="$prefix"
-runs "header, archive, pkg-config file and command, nothing else" listed
-runs "a program compiles with what pkg-config tells" compiles
-runs "program, command and pkg-config name one version" one_version
-runs "make install with DESTDIR" staged
-echo "1..$number"
-exit $failed
+check "make install" installs PREFIX="$prefix"
+check "header, archive, pkg-config file and command, nothing else" listed
+check "a program compiles with what pkg-config tells" compiles
+check "program, command and pkg-config name one version" one_version
+check "make install with DESTDIR" staged
+finish

@@ -2,24 +2,8 @@
 # The example of README.md, its first C block, compiles without a warning for this
 # machine and for a Cortex-M0, and links there with nothing but the library.
 set -eu
+. tests/tap
 build=${BUILD:-build}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-number=0
-failed=0
-
-check() { # check NAME COMMAND...
-    name=$1
-    shift
-    number=$((number + 1))
-    if "$@" 2>"$work/messages"; then
-        echo "ok $number - $name"
-    else
-        failed=$((failed + 1))
-        echo "not ok $number - $name"
-        sed 's/^/# /' "$work/messages"
-    fi
-}
 
 awk '/^```c$/ && !done { inside = 1; next }
      /^```/ && inside  { inside = 0; done = 1 }
@@ -41,5 +25,4 @@ unknown() {
         ! arm-none-eabi-nm -u "$work/linked.o" | grep ' qv_' >&2
 }
 check "the example's functions are the library's" unknown
-echo "1..$number"
-[ "$failed" -eq 0 ]
+finish

@@ -6,11 +6,10 @@
 #     tests/static/size.sh --table    prints every function's share
 #     tests/static/size.sh --readme   prints the figures as a Markdown table
 set -eu
+. tests/tap
 build=${BUILD:-build}
 out=$build/cortex-m0
 plugin=$build/emulator/count.so
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 CONTEXT_LIMIT=256
 STACK_LIMIT=512
@@ -28,17 +27,11 @@ figure() { # figure CAMERA NAME
     awk -v name="$2" '$1 == name { print $2 }' "$work/$1"
 }
 
-number=0
-failed=0
-check() { # check CAMERA NAME LIMIT
-    number=$((number + 1))
+limit() { # limit CAMERA NAME MOST
     value=$(figure "$1" "$2")
-    if [ -n "$value" ] && [ "$value" -le "$3" ]; then
-        echo "ok $number - $1 $2: $value of $3 bytes"
-    else
-        echo "not ok $number - $1 $2: ${value:-unknown} of $3 bytes"
-        failed=$((failed + 1))
-    fi
+    status=0
+    { [ -n "$value" ] && [ "$value" -le "$3" ]; } || status=1
+    outcome $status "$1 $2: ${value:-unknown} of $3 bytes"
 }
 
 table() {
@@ -62,17 +55,17 @@ readme() {
 }
 
 limits() {
-    check orthographic code 4096
-    check perspective code 6144
+    limit orthographic code 4096
+    limit perspective code 6144
     for camera in orthographic perspective; do
-        check $camera data 0
-        check $camera bss 0
-        check $camera context $CONTEXT_LIMIT
+        limit $camera data 0
+        limit $camera bss 0
+        limit $camera context $CONTEXT_LIMIT
         for call in rotation camera init render; do
-            check $camera stack_$call $STACK_LIMIT
+            limit $camera stack_$call $STACK_LIMIT
         done
     done
-    echo "1..$number"
+    finish
 }
 
 make -s TARGET=cortex-m0 BUILD="$build" OPTIMISE=-Os "$plugin" \
@@ -84,4 +77,3 @@ case ${1:-} in
 --readme) readme ;;
 *) limits ;;
 esac
-[ "$failed" -eq 0 ]

@@ -3,10 +3,7 @@
 # memcpy, memset, memmove and the compiler's 32-bit integer helpers (no floating
 # point, no 64-bit division); no variable that lasts; no recursion.
 set -eu
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-number=0
-failed=0
+. tests/tap
 
 # Helpers of Arm's run-time ABI (IHI 0043, section 4.2) for integers: products and
 # shifts of 64 bits, comparison, division of 32 bits; and GCC's jump tables.
@@ -14,14 +11,7 @@ HELPERS='__aeabi_(lmul|llsl|llsr|lasr|lcmp|ulcmp|idiv|idivmod|uidiv|uidivmod)|__
 ALLOWED="^(memcpy|memset|memmove|$HELPERS)\$"
 
 result() { # result NAME: passes when $work/bad is empty
-    number=$((number + 1))
-    if [ -s "$work/bad" ]; then
-        failed=$((failed + 1))
-        echo "not ok $number - $1"
-        sed 's/^/# /' "$work/bad"
-    else
-        echo "ok $number - $1"
-    fi
+    check "$1" sh -c "cat '$work/bad' && [ ! -s '$work/bad' ]"
 }
 
 compile() { # compile PREFIX COMPILER OPTION...: objects to $work/objects
@@ -79,5 +69,4 @@ for optimise in -Os -O3; do
     done
 done
 check_recursion
-echo "1..$number"
-[ "$failed" -eq 0 ]
+finish

@@ -5,26 +5,10 @@
 # The machine is a root directory of its own: the files of those packages and of
 # all that they depend on, copied from this Debian system. Needs root for chroot.
 set -eu
+. tests/tap
 PACKAGES="gcc libc6-dev make dash coreutils findutils diffutils grep sed mawk"
 : "${QVOL:=build/host/qvol}"
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 root=$work/root
-number=0
-failed=0
-
-runs() { # runs NAME COMMAND...
-    name=$1
-    shift
-    number=$((number + 1))
-    if "$@" >"$work/log" 2>&1; then
-        echo "ok $number - without packages: $name"
-    else
-        failed=1
-        echo "not ok $number - without packages: $name"
-        tail -n 20 "$work/log" | sed 's/^/# /'
-    fi
-}
 
 # ---- The machine --------------------------------------------------------------
 
@@ -115,14 +99,13 @@ refuses() {
 
 RAW=text_16x16x16_uint8.raw
 ordinary=$(realpath "$QVOL")
-runs "a root directory of the compiler and its like" furnish
-runs "headers of other packages are hidden" hides_the_packages
-runs "make" inside make -s
-runs "make lib" inside make -s lib
-runs "make check" checks
-runs "a raw volume is drawn as PAM, like by the ordinary command" draws_the_same
-runs "PNG is refused in a line" refuses 2 build/host/qvol render $RAW -o out.png
+check "without packages: a root directory of the compiler and its like" furnish
+check "without packages: headers of other packages are hidden" hides_the_packages
+check "without packages: make" inside make -s
+check "without packages: make lib" inside make -s lib
+check "without packages: make check" checks
+check "without packages: a raw volume is drawn as PAM, like by the ordinary command" draws_the_same
+check "without packages: PNG is refused in a line" refuses 2 build/host/qvol render $RAW -o out.png
 { printf '\134\001\0\0' && head -c 340 /dev/zero && printf 'n+1\0'; } >"$root/work/in.nii"
-runs "NIfTI is refused in a line" refuses 1 build/host/qvol info in.nii
-echo "1..$number"
-exit $failed
+check "without packages: NIfTI is refused in a line" refuses 1 build/host/qvol info in.nii
+finish
