@@ -4,7 +4,6 @@
 #include "commands.h"
 #include "error.h"
 #include "flash_array.h"
-#include "picture.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -133,7 +132,7 @@ static void export(struct model *model, const struct settings *settings)
 {
     struct target target;
     memset(&target, 0, sizeof target);
-    target.is_array = has_ending(settings->output, ".c") || has_ending(settings->output, ".h");
+    target.is_array = settings_want_array(settings);
     target.swap =
         model->storage == QV_STORAGE_RGBA16 && settings->big_endian != machine_is_big_endian();
     output_open(&target.out, settings->output);

@@ -3,6 +3,7 @@
  */
 #include "flash_array.h"
 #include "error.h"
+#include "picture.h"
 
 #include <inttypes.h>
 #include <stdarg.h>
@@ -98,7 +99,7 @@ void flash_array_begin(struct flash_array *array, output *out, const struct mode
     memset(array, 0, sizeof *array);
     array->out = out;
     array->model = model;
-    array->header_file = settings->output[strlen(settings->output) - 1] == 'h';
+    array->header_file = has_ending(settings->output, ".h");
     if (settings->name != NULL) {
         snprintf(array->name, sizeof array->name, "%s", settings->name);
     } else {

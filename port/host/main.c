@@ -45,8 +45,8 @@ static const struct command commands[] = {
      INPUT_DETAILS
      "\n" TRANSFER_DETAILS "\nOUT ends in .c or .h (constant arrays and a qv_volume for flash), "
      "else it gets the voxels,\n"
-     "x fastest, and OUT.palette the palette of indexed8. --azimuth, --elevation and --roll place\n"
-     "the light of --shade.\n",
+     "x fastest, and OUT.palette the palette of indexed8. C arrays are in the compiler's own byte\n"
+     "order and take no --endian. --azimuth, --elevation and --roll place the light of --shade.\n",
      GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_EXPORT | GROUP_OUTPUT | GROUP_THREADS |
          GROUP_COMMON,
      1, command_classify},

@@ -132,9 +132,6 @@ static void read_mask(struct model *model, const struct settings *settings)
     own.mask = NULL;
     own.mask_transfer = NULL;
     own.transfer = settings->mask_transfer;
-    if (own.transfer == NULL) {
-        usage_error("--mask", "needs --mask-tf");
-    }
     if (storage_voxel_bytes(model->storage) == 1) {
         usage_error("--mask", "two transfer functions need --storage rgba8 or rgba16");
     }
@@ -219,9 +216,6 @@ void model_read(struct model *model, const struct settings *settings, const char
                 qv_storage default_storage)
 {
     memset(model, 0, sizeof *model);
-    if (settings->mask == NULL && settings->mask_transfer != NULL) {
-        usage_error("--mask-tf", "needs --mask");
-    }
     input_read(&model->scan, name, &settings->raw);
     if (element_is_classified(model->scan.type)) {
         read_classified(model, settings);

@@ -110,6 +110,7 @@ void options_read(struct settings *settings, const struct command *command, int 
     while ((value = getopt_long(argc, argv, letters, table, NULL)) != -1) {
         read_option(settings, command, value, argv);
     }
+    settings_check_needs(settings, command->groups);
     settings->operand_count = argc - optind;
     if (settings->operand_count != command->operands) {
         usage_error("operands", "%d given, usage: %s %s", settings->operand_count, command->name,

@@ -88,6 +88,7 @@ static void set_palette(struct settings *settings, const char *option, const cha
 static void set_endian(struct settings *settings, const char *option, const char *value)
 {
     settings->big_endian = choose(option, value, endian_names) != 0;
+    settings->endian_given = true;
 }
 
 static void set_storage(struct settings *settings, const char *option, const char *value)
@@ -143,6 +144,7 @@ static void set_light(struct settings *settings, const char *option, const char 
     if (!read_decimals(value, ',', 2, settings->light)) {
         usage_error(option, "'%s' is not RIGHT,UP in degrees", value);
     }
+    settings->light_given = true;
 }
 
 static void set_sampling(struct settings *settings, const char *option, const char *value)
@@ -264,6 +266,7 @@ static void set_tolerance(struct settings *settings, const char *option, const c
 static void set_gain(struct settings *settings, const char *option, const char *value)
 {
     settings->gain = decimal_between(option, value, 0, 255);
+    settings->gain_given = true;
 }
 
 static void set_threads(struct settings *settings, const char *option, const char *value)
@@ -351,6 +354,38 @@ const struct option_spec option_specs[] = {
     {"quiet", 'q', NULL, "no progress, no summary", set_quiet, GROUP_COMMON},
     {NULL, 0, NULL, NULL, NULL, 0},
 };
+
+bool settings_want_array(const struct settings *settings)
+{
+    const char *name = settings->output;
+    return name != NULL && (has_ending(name, ".c") || has_ending(name, ".h"));
+}
+
+void settings_check_needs(const struct settings *settings, int groups)
+{
+    bool exports = (groups & GROUP_EXPORT) != 0;
+    bool array = settings_want_array(settings);
+    const struct {
+        const char *option;
+        bool given, met;
+        const char *need;
+    } needs[] = {
+        {"--mask", settings->mask != NULL, settings->mask_transfer != NULL, "--mask-tf"},
+        {"--mask-tf", settings->mask_transfer != NULL, settings->mask != NULL, "--mask"},
+        {"--light", settings->light_given, settings->shade, "--shade"},
+        {"--termination", settings->termination >= 0, !settings->back_to_front,
+         "--order front-to-back: from the back no ray ends early"},
+        {"--gain", settings->gain_given, settings->output != NULL, "--output"},
+        {"--name", settings->name != NULL, array, "an output that ends in .c or .h"},
+        {"--endian", settings->endian_given && exports, !array,
+         "raw output: C arrays are in the compiler's byte order"},
+    };
+    for (unsigned i = 0; i < sizeof needs / sizeof needs[0]; i++) {
+        if (needs[i].given && !needs[i].met) {
+            usage_error(needs[i].option, "needs %s", needs[i].need);
+        }
+    }
+}
 
 qv_storage settings_storage(const struct settings *settings, qv_storage by_default)
 {

@@ -20,6 +20,7 @@ struct settings {
 
     raw_options raw;
     const char *palette;
+    bool endian_given;
     bool big_endian; /* of 16-bit data written, and of a 16-bit palette read */
 
     int storage; /* a qv_storage without the palette's width; 0: by default */
@@ -30,6 +31,7 @@ struct settings {
     bool window_given;
     double window[2];
     bool shade;
+    bool light_given;
     double light[2]; /* degrees from the viewer: to the right, up */
 
     int sampling; /* enum sampling_mode */
@@ -50,6 +52,7 @@ struct settings {
     uint64_t fit;       /* bytes; 0: not given */
     const char *name;   /* of the C array; null: from the output */
     double tolerance;
+    bool gain_given;
     double gain;
 };
 
@@ -82,6 +85,13 @@ extern const struct option_spec option_specs[];
 /* Names of the values, for reports as well. */
 extern const choice storage_names[];
 extern const choice sampling_names[];
+
+/* Refuses options that would change nothing without another; `groups` are those of
+   the command. */
+void settings_check_needs(const struct settings *settings, int groups);
+
+/* True if the output is C source: its name ends in .c or .h. */
+bool settings_want_array(const struct settings *settings);
 
 /* The storage that --storage and --palette-bits ask for together. */
 qv_storage settings_storage(const struct settings *settings, qv_storage by_default);

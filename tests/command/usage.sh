@@ -91,6 +91,21 @@ refused --palette no.palette "only data of --type indexed8"
 refused --light 5 "RIGHT,UP"
 refused --mask $IN "needs --mask-tf"
 refused --mask-tf skin "needs --mask"
+refused --light 10,20 "needs --shade"
+needs() { # needs OPTION PATTERN COMMAND ARGUMENT...: one that would change nothing
+    option=$1 pattern=$2
+    shift 2
+    refuses "$option without what it needs: $*" 2 ": $option: needs $pattern" "$QVOL" "$@"
+}
+needs --light --shade classify $IN -o a.raw --light 10,20
+needs --termination "--order front" render $IN -o a.pam --termination 0 --order back-to-front
+needs --gain --output compare a b --gain 2
+needs --name "an output" classify $IN -o a.raw --name head
+needs --name "an output" classify $IN -o - --name head
+needs --endian "raw output" classify $IN -o a.c --endian little
+needs --endian "raw output" classify $IN -o a.h --storage rgba16 --endian big
+check "classify --help tells the byte order of C arrays" sh -c \
+    '"$1" classify --help | grep -q "C arrays are in the compiler.s own byte"' - "$QVOL"
 refuses "--shade with a palette" 2 "rgba8 or rgba16" "$QVOL" render $IN -o a.pam --storage indexed8 --shade
 refuses "--mask with a palette" 2 "rgba8 or rgba16" "$QVOL" render $IN -o a.pam --storage indexed8 \
     --mask $IN --mask-tf grey
