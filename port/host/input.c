@@ -100,6 +100,8 @@ static void copy_stream(struct source *source, FILE *from, uint64_t most)
             system_error(path, NULL);
         }
     }
+    source->more = source->bytes > most;
+    source->bytes = source->more ? most : source->bytes;
     if (ferror(from)) {
         system_error(source->name, NULL);
     }
@@ -112,9 +114,8 @@ void source_open(struct source *source, const char *name, uint64_t most)
 {
     struct stat status;
     FILE *file = is_standard_stream(name) ? stdin : fopen(name, "rb");
-    source->name = is_standard_stream(name) ? "standard input" : name;
-    source->path = name;
-    source->bytes = 0;
+    *source =
+        (struct source){.name = is_standard_stream(name) ? "standard input" : name, .path = name};
     if (file == NULL || fstat(fileno(file), &status) != 0) {
         system_error(source->name, NULL);
     }
@@ -128,6 +129,11 @@ void source_open(struct source *source, const char *name, uint64_t most)
     if (file != stdin) {
         fclose(file);
     }
+}
+
+bool source_holds(const struct source *source, uint64_t bytes)
+{
+    return source->bytes == bytes && !source->more;
 }
 
 size_t source_peek(const struct source *source, void *start, size_t bytes)

@@ -24,7 +24,11 @@ struct source {
     const char *name; /* as the user gave it, for messages */
     const char *path;
     uint64_t bytes;
+    bool more; /* than these bytes came out of a pipe; they were not read */
 };
+
+/* Exactly so many bytes. */
+bool source_holds(const struct source *source, uint64_t bytes);
 
 /* Opens a file, a pipe or "-"; what cannot be sought is first copied, at most
    `most` bytes of it. */

@@ -15,7 +15,8 @@
     "standard input. Raw data need --dims and --type, or a name like "                             \
     "foot_256x256x256_uint8.raw.\n"                                                                \
     "NIfTI and NRRD are turned to right, anterior, superior along the nearest axes.\n"             \
-    "Other than 8- and 16-bit values, and scaled ones, become 16 bits over the window.\n"
+    "Other than 8- and 16-bit values, and scaled ones, become 16 bits over the window;\n"          \
+    "the window of 8- and 16-bit values is in whole numbers.\n"
 
 #define TRANSFER_DETAILS                                                                           \
     "A transfer function is text, `#` starts a comment; one control point a line:\n"               \

@@ -169,9 +169,10 @@ static void refuse_classification(const struct settings *settings)
 /* The size tells the width of the entries; no other is one. */
 static void check_palette_size(const struct source *source)
 {
-    if (source->bytes != QV_PALETTE8_BYTES && source->bytes != QV_PALETTE16_BYTES) {
-        data_error(source->name, "palette", "%llu bytes, 256 entries take %d or %d",
-                   (unsigned long long)source->bytes, QV_PALETTE8_BYTES, QV_PALETTE16_BYTES);
+    if (!source_holds(source, QV_PALETTE8_BYTES) && !source_holds(source, QV_PALETTE16_BYTES)) {
+        data_error(source->name, "palette", "%s%llu bytes, 256 entries take %d or %d",
+                   source->more ? "more than " : "", (unsigned long long)source->bytes,
+                   QV_PALETTE8_BYTES, QV_PALETTE16_BYTES);
     }
 }
 

@@ -118,6 +118,9 @@ void options_read(struct settings *settings, const struct command *command, int 
     }
     for (int i = 0; i < settings->operand_count; i++) {
         settings->operands[i] = argv[optind + i];
+        if (settings->operands[i][0] == '\0') {
+            usage_error("operands", "the name of number %d is empty", i + 1);
+        }
     }
 }
 

@@ -101,11 +101,11 @@ void read_raw(struct scan *scan, const struct source *source, const raw_options 
     scan->type = (element)(options->type & ~RAW_BIG_ENDIAN);
     memcpy(scan->size, options->size, sizeof scan->size);
     expected = scan_data_bytes(scan);
-    if (options->skip > source->bytes || source->bytes - options->skip != expected) {
+    if (!source_holds(source, options->skip + expected)) { /* below 2^62 + 2^39 */
         data_error(source->name, "size",
-                   "%llu bytes, but --skip, --dims and --type make %llu + %llu",
-                   (unsigned long long)source->bytes, (unsigned long long)options->skip,
-                   (unsigned long long)expected);
+                   "%s%llu bytes, but --skip, --dims and --type make %llu + %llu",
+                   source->more ? "more than " : "", (unsigned long long)source->bytes,
+                   (unsigned long long)options->skip, (unsigned long long)expected);
     }
     scan_allocate(scan, expected);
     read_values(scan, source, options->skip);

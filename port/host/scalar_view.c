@@ -37,7 +37,8 @@ static void choose_window(double window[2], const struct scan *scan,
         data_error(scan->file, "data", "no value is a number");
     }
     if (!(window[0] < window[1])) {
-        window[1] = window[0] + fmax(1, fabs(window[0]) / 4096); /* all values are equal */
+        /* All values are equal; whole numbers stay whole. */
+        window[1] = window[0] + ceil(fmax(1, fabs(window[0]) / 4096));
     }
 }
 
@@ -45,8 +46,11 @@ static void choose_window(double window[2], const struct scan *scan,
 static int32_t whole_window(double value)
 {
     if (value < WINDOW_LEAST || value > WINDOW_MOST || value > floor(value)) {
-        usage_error("--window", "%g is not a whole number from %d to %d, as these data need", value,
-                    WINDOW_LEAST, WINDOW_MOST);
+        char text[DECIMAL_BYTES];
+        print_decimal(text, value);
+        usage_error("--window",
+                    "%s is not a whole number from %d to %d; 8- and 16-bit data take no other",
+                    text, WINDOW_LEAST, WINDOW_MOST);
     }
     return (int32_t)value;
 }

@@ -53,6 +53,15 @@ static uint64_t integer_between(const char *option, const char *value, uint64_t 
     return number;
 }
 
+/* Of a file or a preset. */
+static void keep_name(const char **name, const char *option, const char *value)
+{
+    if (value[0] == '\0') {
+        usage_error(option, "the name is empty");
+    }
+    *name = value;
+}
+
 static void set_dims(struct settings *settings, const char *option, const char *value)
 {
     if (!read_sizes(value, 3, QV_AXIS_MAX, settings->raw.size)) {
@@ -81,8 +90,7 @@ static void set_spacing(struct settings *settings, const char *option, const cha
 
 static void set_palette(struct settings *settings, const char *option, const char *value)
 {
-    (void)option;
-    settings->palette = value;
+    keep_name(&settings->palette, option, value);
 }
 
 static void set_endian(struct settings *settings, const char *option, const char *value)
@@ -106,20 +114,17 @@ static void set_palette_bits(struct settings *settings, const char *option, cons
 
 static void set_transfer(struct settings *settings, const char *option, const char *value)
 {
-    (void)option;
-    settings->transfer = value;
+    keep_name(&settings->transfer, option, value);
 }
 
 static void set_mask(struct settings *settings, const char *option, const char *value)
 {
-    (void)option;
-    settings->mask = value;
+    keep_name(&settings->mask, option, value);
 }
 
 static void set_mask_transfer(struct settings *settings, const char *option, const char *value)
 {
-    (void)option;
-    settings->mask_transfer = value;
+    keep_name(&settings->mask_transfer, option, value);
 }
 
 /* Both ends may be negative: --window=-100:300. */
@@ -276,14 +281,12 @@ static void set_threads(struct settings *settings, const char *option, const cha
 
 static void set_output(struct settings *settings, const char *option, const char *value)
 {
-    (void)option;
-    settings->output = value;
+    keep_name(&settings->output, option, value);
 }
 
 static void set_json(struct settings *settings, const char *option, const char *value)
 {
-    (void)option;
-    settings->json = value != NULL ? value : "-";
+    keep_name(&settings->json, option, value != NULL ? value : "-");
 }
 
 static void set_quiet(struct settings *settings, const char *option, const char *value)

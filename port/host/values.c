@@ -12,6 +12,8 @@
 
 #define LIST_MOST  8
 #define TEXT_BYTES 128
+/* So many digits tell any two doubles apart. */
+#define DIGITS_MOST 17
 
 bool read_unsigned(const char *text, uint64_t most, uint64_t *value)
 {
@@ -42,6 +44,14 @@ bool read_decimal(const char *text, double *value)
     }
     *value = number;
     return true;
+}
+
+void print_decimal(char text[DECIMAL_BYTES], double value)
+{
+    int digits = 6;
+    do {
+        snprintf(text, DECIMAL_BYTES, "%.*g", digits, value);
+    } while (digits++ < DIGITS_MOST && (strtod(text, NULL) < value || strtod(text, NULL) > value));
 }
 
 /* Splits a copy of the text in place; false unless it has `count` parts. */

@@ -14,6 +14,11 @@ bool read_unsigned(const char *text, uint64_t most, uint64_t *value);
 /* A finite decimal number; no hexadecimal, no "inf". */
 bool read_decimal(const char *text, double *value);
 
+#define DECIMAL_BYTES 32
+
+/* With as few digits, but at least six, as read back to the same number. */
+void print_decimal(char text[DECIMAL_BYTES], double value);
+
 /* Exactly `count` decimals (at most 8) between single separators. */
 bool read_decimals(const char *text, char separator, unsigned count, double *values);
 

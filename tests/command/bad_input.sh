@@ -170,6 +170,19 @@ raw "raw, empty" "0 bytes, but" 1 empty.raw --dims 12x10x8 --type u8
 raw "raw, huge" "make 0 + 549755813888" 1 short.raw --dims 4096x4096x4096 --type f64le
 raw "raw, skip beyond the end" "960 bytes, but" 1 in_12x10x8_uint8.raw --skip 9000000000000000
 raw "raw, pipe too short" "standard input: size: 0 bytes" 1 - --dims 12x10x8 --type u8
+"$PYTHON" -c 'print("x" * 100000)' >endless
+piped() { # piped NAME PATTERN ARGUMENT...: a pipe that holds more than is wanted
+    name=$1 pattern=$2
+    shift 2
+    # shellcheck disable=SC2016
+    refuses "$name" 1 "$pattern" sh -c 'cat endless | "$@"' - "$QVOL" "$@"
+}
+piped "raw, pipe too long" "standard input: size: more than 4096 bytes, but .* make 0 + 4096" \
+    info - --dims 16x16x16 --type u8
+piped "raw, pipe too long after --skip" "more than 4106 bytes, but .* make 10 + 4096" \
+    info - --dims 16x16x16 --type u8 --skip 10
+piped "palette, pipe too long" "standard input: palette: more than 2048 bytes" \
+    render in_12x10x8_uint8.raw --type indexed8 --palette - -o out.pam
 raw "indexed without a palette" "need one" 2 in_12x10x8_uint8.raw --type indexed8
 printf '%1023s' x >p1023
 printf '%2049s' x >p2049

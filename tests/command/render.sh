@@ -69,6 +69,10 @@ differs "--palette-bits 16 keeps thin fog" bits8.pam bits16.pam
 "$QVOL" render $IN -o fog16.pam --storage rgba16 --tf fog
 check "a 16-bit palette draws what 16-bit voxels draw" cmp bits16.pam fog16.pam
 
+"$PYTHON" -c 'import sys; sys.stdout.buffer.write(bytes((136, 19)) * 27)' >even.raw
+check "equal values of 16 bits need no --window" "$QVOL" render even.raw --dims 3x3x3 --type u16le \
+    -o even.pam --size 8x8
+
 # Orders agree but for rounding and early termination.
 render front.pam --termination 0
 render back.pam --order back-to-front

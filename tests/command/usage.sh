@@ -33,6 +33,12 @@ refuses "palette without a file" 2 "needs a file" "$QVOL" classify $IN -o -
 refuses "no value" 2 "needs a value" "$QVOL" render $IN -o a.pam --zoom
 refuses "no input" 2 "0 given" "$QVOL" render -o a.pam
 refuses "two inputs" 2 "2 given" "$QVOL" render $IN $IN -o a.pam
+for option in --output --json --tf --mask --mask-tf --palette; do
+    refuses "empty name: $option" 2 ": $option: the name is empty" "$QVOL" render $IN -o a.pam $option=
+done
+refuses "empty name: -o" 2 ": --output: the name is empty" "$QVOL" classify $IN -o ""
+refuses "empty name of the input" 2 "number 1 is empty" "$QVOL" render "" -o a.pam
+refuses "empty name of a picture" 2 "number 2 is empty" "$QVOL" compare a.pam ""
 refuses "no output" 2 "missing" "$QVOL" render $IN
 refuses "no output of classify" 2 "missing" "$QVOL" classify $IN
 refuses "unknown ending" 2 "does not end in" "$QVOL" render $IN -o a.gif
@@ -51,7 +57,12 @@ refused --window 5 "LOW:HIGH"
 refused --window 9:9 "LOW below HIGH"
 refused --window 9:3 "LOW below HIGH"
 refused --window 0.5:9 "whole number"
-refused --window 0:999999 "whole number"
+refused --window 0:999999 ": 999999 is not a whole number"
+refused --window 5:5.0000001 ": 5.0000001 is not a whole number from .*; 8- and 16-bit data"
+refused --window 0:0.5 ": 0.5 is not a whole number from .*; 8- and 16-bit data"
+refused --window 1:1.0000000000000002 ": 1.0000000000000002 is not"
+check "--help tells that windows are whole" sh -c \
+    '"$1" render --help | grep -q "window of 8- and 16-bit values is in whole numbers"' - "$QVOL"
 refused --window nan:3 "LOW:HIGH"
 refused --size 0x5 "WxH"
 refused --size 5 "WxH"
