@@ -187,9 +187,9 @@ extern const qv_projection qv_projection_orthographic, qv_projection_perspective
  *
  * Ranges. Of both: |origin| <= 2^20 voxels, |across| and |down| <= 2^12.
  * Orthographic: |along| <= 2^8 voxels, its largest component >= 2^-9; samples
- * lie at -2^22 <= k < 2^22. Perspective: 2^-8 <= pace <= 2^8, |origin| <= 2^20
- * pace (so that k < 2^22 in the volume), |along| <= 2^20;
- * pixels whose |v| is below 2^-16 on every axis show the background.
+ * lie at -2^22 <= k < 2^22. Perspective: 2^-8 <= pace <= 2^8, |origin| <= 2^20 *
+ * pace (so that k < 2^22 in the volume), |along| <= 2^20 world units; pixels whose
+ * |v| is below 2^-16 on every axis show the background.
  *
  * across, down and along must be independent: the determinant of the three, each
  * scaled by a power of 2 that takes its largest component to 1/2 .. 1, is at
