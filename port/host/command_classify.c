@@ -12,7 +12,6 @@
 
 /* Voxels are classified and written slice by slice, in about so many bytes. */
 #define STRIP_BYTES (4u << 20)
-#define FACTOR_MOST 64
 
 /* Bytes of voxels and palette after a reduction: at most 2^36 * 8 + 2^11. */
 static uint64_t bytes_after(const struct model *model, const uint8_t factor[3])

@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#define THREADS_MOST 256
-
 struct queue {
     const struct parallel *work;
     pthread_mutex_t lock;

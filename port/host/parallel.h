@@ -7,6 +7,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#define THREADS_MOST 256
+
 struct parallel {
     void (*run)(void *context, uint32_t piece); /* may run on any thread, in any order */
     void *context;

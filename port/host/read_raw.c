@@ -62,7 +62,6 @@ bool raw_options_from_name(raw_options *options, const char *name)
     if (ending == NULL || strcmp(ending, ".raw") != 0) {
         return false;
     }
-    snprintf(copy, sizeof copy, "%.*s", (int)(ending - name), name);
     slash = slash != NULL ? slash + 1 : name;
     snprintf(copy, sizeof copy, "%.*s", (int)(ending - slash), slash);
     for (char *part = strtok_r(copy, "_", &rest); part != NULL; part = strtok_r(NULL, "_", &rest)) {

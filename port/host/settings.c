@@ -3,15 +3,14 @@
  */
 #include "settings.h"
 #include "error.h"
+#include "parallel.h"
 #include "pixel_format.h"
 
 #include <stddef.h>
 #include <string.h>
 
-#define THREADS_MOST 256
 /* A full turn many times over; beyond, degrees lose the digits that matter. */
 #define DEGREES_MOST 1e6
-#define REDUCE_MOST  64
 
 const choice storage_names[] = {
     {"rgba8", QV_STORAGE_RGBA8},
@@ -240,10 +239,10 @@ static void set_strip(struct settings *settings, const char *option, const char 
 static void set_reduce(struct settings *settings, const char *option, const char *value)
 {
     uint32_t *reduce = settings->reduce;
-    if (read_sizes(value, 1, REDUCE_MOST, reduce)) {
+    if (read_sizes(value, 1, FACTOR_MOST, reduce)) {
         reduce[1] = reduce[2] = reduce[0];
-    } else if (!read_sizes(value, 3, REDUCE_MOST, reduce)) {
-        usage_error(option, "'%s' is neither F nor FXxFYxFZ, each 1 to %d", value, REDUCE_MOST);
+    } else if (!read_sizes(value, 3, FACTOR_MOST, reduce)) {
+        usage_error(option, "'%s' is neither F nor FXxFYxFZ, each 1 to %d", value, FACTOR_MOST);
     }
 }
 

@@ -7,6 +7,9 @@
 
 #include "input.h"
 
+/* The library's largest factor of a reduction. */
+#define FACTOR_MOST 64
+
 enum sampling_mode { SAMPLING_NEAREST, SAMPLING_SEPARATE, SAMPLING_WEIGHTED };
 enum container { CONTAINER_BY_ENDING, CONTAINER_PNG, CONTAINER_PAM, CONTAINER_RAW };
 
