@@ -26,23 +26,29 @@ static void print(struct flash_array *array, const char *format, ...)
 }
 
 /* Letters and digits as C has them, in any locale. */
-static bool is_name_character(char c)
+static bool is_letter(char c)
 {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/* build/small-head.h gives small_head. */
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/* build/small-head.h gives small_head. C reserves names that begin with an underscore:
+   what does not begin with a letter gets one. */
 static void name_from_file(char name[FLASH_NAME_BYTES], const char *file)
 {
     const char *slash = strrchr(file, '/');
     const char *start = slash != NULL ? slash + 1 : file;
     const char *end = strrchr(start, '.');
     size_t used = 0;
-    if (start[0] >= '0' && start[0] <= '9') {
-        name[used++] = '_';
+    if (!is_letter(start[0])) {
+        name[used++] = 'v';
     }
     for (const char *c = start; c < end && used + 1 < FLASH_NAME_BYTES; c++) {
-        name[used++] = is_name_character(*c) ? *c : '_';
+        name[used++] = is_letter(*c) || is_digit(*c) ? *c : '_';
     }
     name[used] = '\0';
 }

@@ -6,6 +6,7 @@
 #include "output.h"
 #include "error.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -15,6 +16,8 @@
 
 /* Picture, palette, report and the copy of standard input. */
 #define TEMPORARY_FILES 8
+/* "qvol-PID-N.tmp": two numbers of at most 20 digits. */
+#define TEMPORARY_NAME_BYTES 64
 
 static char *volatile temporaries[TEMPORARY_FILES];
 
@@ -108,23 +111,31 @@ static char *resolved(const char *target)
     return path;
 }
 
-/* PATH.PID.tmp: the same folder, so that rename does not cross file systems. */
-static char *temporary_name(const char *path)
+/* qvol-PID-N.tmp in the folder of the path, so that rename does not cross file systems;
+   with the path's own name in it, it might be too long. O_EXCL: never over a file, nor
+   through a link, that stands there. */
+static int create_temporary(output *out, const char *path)
 {
-    size_t bytes = strlen(path) + 32;
-    char *name = allocate(bytes, path, NULL);
-    snprintf(name, bytes, "%s.%ld.tmp", path, (long)getpid());
-    return name;
+    const char *slash = strrchr(path, '/');
+    size_t folder = slash != NULL ? (size_t)(slash + 1 - path) : 0;
+    size_t bytes = folder + TEMPORARY_NAME_BYTES;
+    int descriptor = -1;
+    out->temporary = allocate(bytes, path, NULL);
+    memcpy(out->temporary, path, folder);
+    for (unsigned n = 0; descriptor < 0 && (n == 0 || errno == EEXIST); n++) {
+        snprintf(out->temporary + folder, TEMPORARY_NAME_BYTES, "qvol-%ld-%u.tmp", (long)getpid(),
+                 n);
+        descriptor = open(out->temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    }
+    return descriptor;
 }
 
-/* O_EXCL: never over a file, nor through a link, that stands there. A file that is
-   replaced hands on its permissions. */
+/* A file that is replaced hands on its permissions. */
 static void open_temporary(output *out, const struct stat *replaced)
 {
     int descriptor;
     out->path = replaced != NULL ? resolved(out->target) : NULL;
-    out->temporary = temporary_name(replaced != NULL ? out->path : out->target);
-    descriptor = open(out->temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    descriptor = create_temporary(out, replaced != NULL ? out->path : out->target);
     if (descriptor < 0) {
         system_error(out->target, NULL);
     }
@@ -135,11 +146,15 @@ static void open_temporary(output *out, const struct stat *replaced)
     out->stream = fdopen(descriptor, "wb");
 }
 
-/* Renaming would replace a device or a pipe by a file: these are written directly. */
+/* Renaming would replace a device or a pipe by a file: these are written directly. A
+   name that cannot be a file's, being too long, is found here, not by rename. */
 void output_open(output *out, const char *target)
 {
     struct stat status;
     bool exists = !is_standard_stream(target) && stat(target, &status) == 0;
+    if (!exists && !is_standard_stream(target) && errno != ENOENT) {
+        system_error(target, NULL);
+    }
     *out = (output){.target = target};
     if (is_standard_stream(target) || (exists && is_standard_output(&status))) {
         out->stream = stdout;

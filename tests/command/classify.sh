@@ -129,7 +129,15 @@ array "indexed8, 16-bit palette" h --palette-bits 16
 array rgba8 c --storage rgba8 --tf surface
 array "rgba16, shaded" h --storage rgba16 --tf surface --shade
 "$QVOL" classify $IN -o "9 odd-name.c"
-check "a name is made from any file's" grep -q "const qv_volume _9_odd_name_volume = {" "9 odd-name.c"
+check "a name is made from any file's" grep -q "const qv_volume v9_odd_name_volume = {" "9 odd-name.c"
+reserved() { # reserved FILE NAME: the names in the C array begin with NAME, a letter
+    "$QVOL" classify $IN -o "$1"
+    check "no name in $1 begins with an underscore" sh -c \
+        'grep -q "const qv_volume $2_volume = {" "$1" && ! grep -q "[ )]_" "$1"' - "$1" "$2"
+}
+reserved .c v
+reserved _X.c v_X
+reserved _x.h v_x
 "$QVOL" classify $IN -o "9 odd-name.c" --name good
 check "--name" grep -q "const qv_volume good_volume = {" "9 odd-name.c"
 cp $IN "a*__12x10x8_uint8.raw"
