@@ -129,6 +129,7 @@ static void read_mask(struct model *model, const struct settings *settings)
 {
     struct settings own = *settings;
     struct model *mask = allocate(sizeof *mask, settings->mask, NULL);
+    model->mask = mask;
     own.mask = NULL;
     own.mask_transfer = NULL;
     own.transfer = settings->mask_transfer;
@@ -146,7 +147,6 @@ static void read_mask(struct model *model, const struct settings *settings)
     if (!same_spacing(mask, model)) {
         data_error(settings->mask, "spacing", "differs from that of %s", model->scan.file);
     }
-    model->mask = mask;
 }
 
 static void refuse_classification(const struct settings *settings)
