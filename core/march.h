@@ -34,7 +34,7 @@ FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
 FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
                         qv_mode *mode)
 {
-    uint32_t enough = (uint32_t)context->scene.termination << 15; /* unorm16 to Q1.31 */
+    uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     while (ray->samples != 0) {
         uint32_t colour[3], opacity;
         ray->samples--;
