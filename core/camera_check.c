@@ -28,12 +28,12 @@ int qv_within(const qv_coord v[3], uint32_t voxels)
 /* Halves v until its largest component is below 2^15. */
 static void scale(int32_t scaled[3], const qv_coord v[3])
 {
-    uint64_t most = qv_largest(v);
+    unsigned shift = 0;
+    for (uint64_t most = qv_largest(v); most >= MOST_SCALED; most >>= 1)
+        shift++;
     for (unsigned axis = 0; axis < 3; axis++) {
-        uint64_t size = magnitude(v[axis]);
-        for (uint64_t rest = most; rest >= MOST_SCALED; rest >>= 1)
-            size >>= 1;
-        scaled[axis] = v[axis] < 0 ? -(int32_t)size : (int32_t)size;
+        int32_t size = (int32_t)(magnitude(v[axis]) >> shift);
+        scaled[axis] = v[axis] < 0 ? -size : size;
     }
 }
 

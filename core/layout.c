@@ -14,7 +14,8 @@ static uint32_t magnitude(int32_t v)
 }
 
 /* Bytes from the first element to the last along every axis whose stride is at
-   most `limit`, and one element more. Below 3 * 2^43. */
+   most `limit`, and one element more. Below 3 * 2^43 where every size is in range;
+   where one is not, whatever comes out, the volume is refused. */
 static uint64_t span(const uint16_t size[3], const int32_t stride[3], uint32_t limit,
                      uint32_t element_bytes)
 {
@@ -33,11 +34,10 @@ static uint64_t span(const uint16_t size[3], const int32_t stride[3], uint32_t l
 qv_status qv_layout_check(const uint16_t size[3], const int32_t stride[3], uint64_t bytes,
                           uint32_t element_bytes, uint32_t alignment)
 {
-    for (unsigned axis = 0; axis < 3; axis++)
-        if (size[axis] == 0 || size[axis] > QV_AXIS_MAX)
-            return QV_ERROR_SIZE;
     for (unsigned axis = 0; axis < 3; axis++) {
         uint32_t step = magnitude(stride[axis]);
+        if (size[axis] == 0 || size[axis] > QV_AXIS_MAX)
+            return QV_ERROR_SIZE;
         if (size[axis] == 1)
             continue;
         if ((step & (alignment - 1u)) != 0 ||

@@ -9,6 +9,10 @@
 #include "composite.h"
 #include "sample.h"
 
+/* What modes that know no lengths make of a scene: nothing but the check that they
+   need to know none. QV_OK, QV_ERROR_UNIT. */
+qv_status qv_prepare_steps(qv_context *context, const qv_scene *scene);
+
 FX_INLINE void qv_advance(qv_ray *ray)
 {
     for (unsigned axis = 0; axis < 3; axis++)
@@ -88,9 +92,10 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
     {                                                                                              \
         qv_march_back(light, ray, context, storage, qv_sample_##mode);                             \
     }                                                                                              \
-    const qv_sampling qv_##mode##_##suffix = {march_##suffix, read_out, storage};                  \
-    const qv_sampling qv_##mode##_##suffix##_back_to_front = {march_back_##suffix, read_out,       \
-                                                              storage};
+    const qv_sampling qv_##mode##_##suffix = {qv_prepare_steps, qv_ray_clip, march_##suffix,       \
+                                              read_out, storage};                                  \
+    const qv_sampling qv_##mode##_##suffix##_back_to_front = {                                     \
+        qv_prepare_steps, qv_ray_clip, march_back_##suffix, read_out, storage};
 
 #define QV_DEFINE_SAMPLINGS(mode)                                                                  \
     QV_DEFINE_SAMPLING(mode, rgba8, QV_STORAGE_RGBA8, QV_READ_OUT_8)                               \

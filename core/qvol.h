@@ -28,19 +28,25 @@
  *   [0, 1). s is measured along the ray: from the camera's origin plane
  *   (orthographic: k of either sign; the cameras of qv_orthographic put it
  *   through the centre of the box) or from the eye (perspective: k >= 0).
- * Segments. A sample stands for the stretch of one step centred on it. The modes
- *   of this version do not know lengths: they take a sample where its point lies
- *   in the box, and take it for a whole step. A mode that weighs opacity by
- *   length takes each stretch that overlaps the box, with the length of the
- *   overlap, so that the stretches of a ray add up to its way through the box.
+ * Stretches. A sample stands for the stretch of one step centred on it. nearest,
+ *   separate and weighted know no lengths: they take a sample where its point lies
+ *   in the box, and take it for a whole step. The other modes weigh by length: the
+ *   borders between stretches cut the ray's way through the box into pieces, and
+ *   each piece is sampled at its middle, with its own length. So the pieces add up
+ *   to the way, and all but the first and the last are whole steps. Where a ray
+ *   enters and leaves is known to 2^-16 of a step.
  * Reconstruction reads the sample's point rounded to 1/256 voxel on each axis,
  *   to nearest, ties upwards; rays advance in steps of 2^-32 voxel.
  * Colour. 255 of 8 bits and 65535 of 16 bits are exactly 1. Stored colours are
  *   not weighted by opacity; the renderer weights them while it interpolates.
  *   Pixels with an alpha channel hold associated (premultiplied) colours.
  * Unit distance. The length for which a stored opacity holds. It is the step
- *   itself where the volume's unit_distance is 0; any other value must equal
- *   the step, since this version does not correct opacities.
+ *   itself where the volume's unit_distance is 0. nearest, separate and weighted
+ *   take opacities as they are, so any other value must equal the step there.
+ * Extinction is optical depth per world unit, and depth is in base 2: a stretch of
+ *   depth x lets 2^-x of the light through. (Kraus and Buerger's tau is ln 2 times
+ *   as much.) A stored value v of 255 or 65535 means v / 255 or v / 65535 of the
+ *   volume's extinction. Full opacity is a depth of 64 for its unit distance.
  * Rounding is to nearest with ties upwards unless a declaration says otherwise.
  *
  * ERRORS. A function that can fail returns a qv_status: 0 or a positive value on
@@ -87,23 +93,26 @@ typedef ptrdiff_t qv_offset;
 
 typedef enum qv_status {
     QV_OK = 0,
-    QV_MORE = 1,             /* not an error: bounded work remains to be done */
-    QV_ERROR_NULL = -1,      /* a required pointer is null */
-    QV_ERROR_STORAGE = -2,   /* unknown storage, or not the one the sampling mode reads */
-    QV_ERROR_SIZE = -3,      /* an axis is 0 or longer than QV_AXIS_MAX */
-    QV_ERROR_STRIDE = -4,    /* strides overlap or leave the memory; 16-bit data odd */
-    QV_ERROR_PALETTE = -5,   /* palette missing, not of 256 entries, or 16-bit at an odd address */
-    QV_ERROR_SPACING = -6,   /* spacing outside 1/16 .. 256 */
-    QV_ERROR_STEP = -7,      /* step out of range */
-    QV_ERROR_UNIT = -8,      /* unit distance differs from the step */
-    QV_ERROR_CAMERA = -9,    /* matrix degenerate or out of range */
-    QV_ERROR_VIEW = -10,     /* frame size, pitch or field of view out of range */
-    QV_ERROR_RECT = -11,     /* rectangle empty or outside +-QV_PIXEL_MAX */
-    QV_ERROR_BUFFER = -12,   /* output buffer too small, or rows overlap */
-    QV_ERROR_TRANSFER = -13, /* control points out of order, or none */
-    QV_ERROR_WINDOW = -14,   /* window of scalar values is empty or out of range */
-    QV_ERROR_LIGHT = -15,    /* shading: zero vector or coefficient out of range */
-    QV_ERROR_RESERVED = -16  /* a field that must be zero is not */
+    QV_MORE = 1,           /* not an error: bounded work remains to be done */
+    QV_ERROR_NULL = -1,    /* a required pointer is null */
+    QV_ERROR_STORAGE = -2, /* unknown storage, or not the one the sampling mode reads */
+    QV_ERROR_SIZE = -3,    /* an axis is 0 or longer than QV_AXIS_MAX */
+    QV_ERROR_STRIDE = -4,  /* strides overlap or leave the memory; 16-bit data odd */
+    QV_ERROR_PALETTE = -5, /* palette missing, not of 256 entries, or 16-bit at an odd address */
+    QV_ERROR_SPACING = -6, /* spacing outside 1/16 .. 256 */
+    QV_ERROR_STEP = -7,    /* step out of range */
+    QV_ERROR_UNIT = -8,   /* unit distance out of range, or, where it must equal it, not the step */
+    QV_ERROR_CAMERA = -9, /* matrix degenerate or out of range */
+    QV_ERROR_VIEW = -10,  /* frame size, pitch or field of view out of range */
+    QV_ERROR_RECT = -11,  /* rectangle empty or outside +-QV_PIXEL_MAX */
+    QV_ERROR_BUFFER = -12,     /* output buffer too small, or rows overlap */
+    QV_ERROR_TRANSFER = -13,   /* control points out of order, or none */
+    QV_ERROR_WINDOW = -14,     /* window of scalar values is empty or out of range */
+    QV_ERROR_LIGHT = -15,      /* shading: zero vector or coefficient out of range */
+    QV_ERROR_RESERVED = -16,   /* a field that must be zero is not */
+    QV_ERROR_EXTINCTION = -17, /* extinction of the full value 0, or too much for a step */
+    QV_ERROR_MIXTURE = -18,    /* percentages sum to more than 1 */
+    QV_ERROR_LEVEL = -19       /* more levels than the size has, or a level without a pyramid */
 } qv_status;
 
 /* One line of English for a status, never null; also for values not listed. */
@@ -123,10 +132,15 @@ const char *qv_version(void);
 #define QV_ONE_Q16 65536u
 
 typedef enum qv_storage {
-    QV_STORAGE_RGBA8 = 1,      /* 4 bytes R,G,B,A; any alignment */
-    QV_STORAGE_RGBA16 = 2,     /* 4 uint16_t R,G,B,A in the machine's byte order, 2-aligned */
-    QV_STORAGE_INDEXED8 = 3,   /* 1 byte, index into 256 RGBA8 entries */
-    QV_STORAGE_INDEXED8_16 = 4 /* 1 byte, index into 256 RGBA16 entries */
+    QV_STORAGE_RGBA8 = 1,       /* 4 bytes R,G,B,A; any alignment */
+    QV_STORAGE_RGBA16 = 2,      /* 4 uint16_t R,G,B,A in the machine's byte order, 2-aligned */
+    QV_STORAGE_INDEXED8 = 3,    /* 1 byte, index into 256 RGBA8 entries */
+    QV_STORAGE_INDEXED8_16 = 4, /* 1 byte, index into 256 RGBA16 entries */
+    /* The same with extinction for opacity; T is tau, as the papers call it. */
+    QV_STORAGE_RGBT8 = 5,
+    QV_STORAGE_RGBT16 = 6,
+    QV_STORAGE_INDEXED8_T8 = 7,
+    QV_STORAGE_INDEXED8_T16 = 8
 } qv_storage;
 
 /*
@@ -138,15 +152,17 @@ typedef struct qv_volume {
     qv_address voxels;      /* voxel (0,0,0) */
     qv_address palette;     /* indexed storage: 256 entries, alignment as storage says; else null */
     qv_address occupancy;   /* reserved for empty-space structures: null */
+    uint8_t storage;        /* a qv_storage */
     uint64_t voxels_bytes;  /* memory that the voxels span, from the lowest byte to the highest */
     uint32_t palette_bytes; /* QV_PALETTE8_BYTES or QV_PALETTE16_BYTES; 0 without palette */
     uint32_t spacing[3];    /* world units per voxel, Q16.16, 1/16 .. 256; 0 means 1 */
     uint32_t unit_distance; /* world length for which opacities hold, Q16.16; 0: the step */
+    uint32_t extinction;    /* depth per world unit of the full stored value, Q16.16; read where
+                               the storage holds extinction */
     int32_t stride[3];      /* bytes to the next voxel on x, y, z; any order, any sign, even for
                                16-bit data. The axes must nest: sorted by size, each stride is at
                                least the extent of the axis below it. Ignored on axes of size 1 */
     uint16_t size[3];       /* voxels on x, y, z: 1 .. QV_AXIS_MAX */
-    uint8_t storage;        /* a qv_storage */
 } qv_volume;
 
 /*
@@ -161,6 +177,7 @@ typedef int64_t qv_coord;  /* voxel or world coordinate, Q31.32 */
 typedef uint32_t qv_angle; /* 2^32 is a full turn */
 
 struct qv_camera;
+struct qv_scene;
 struct qv_context;
 struct qv_ray;
 
@@ -266,10 +283,26 @@ struct qv_light;
  * library's own.
  */
 typedef struct qv_sampling {
+    qv_status (*prepare)(struct qv_context *context, const struct qv_scene *scene);
+    void (*clip)(struct qv_ray *ray, const uint16_t size[3], int32_t first);
     void (*march)(struct qv_light *light, struct qv_ray *ray, const struct qv_context *context);
     uint32_t read_out; /* accumulated light to pixel levels, core/composite.h */
     uint8_t storage;   /* the qv_storage it reads */
 } qv_sampling;
+
+/* Front to back, back to front, and front to back through a pyramid. */
+#define QV_DECLARE_LENGTH_SAMPLINGS(name)                                                          \
+    extern const qv_sampling name, name##_back_to_front, name##_levels;
+#define QV_DECLARE_OPACITY_SAMPLINGS(mode)                                                         \
+    QV_DECLARE_LENGTH_SAMPLINGS(mode##_rgba8)                                                      \
+    QV_DECLARE_LENGTH_SAMPLINGS(mode##_rgba16)                                                     \
+    QV_DECLARE_LENGTH_SAMPLINGS(mode##_indexed8)                                                   \
+    QV_DECLARE_LENGTH_SAMPLINGS(mode##_indexed8_16)
+#define QV_DECLARE_EXTINCTION_SAMPLINGS(mode)                                                      \
+    QV_DECLARE_LENGTH_SAMPLINGS(mode##_rgbt8)                                                      \
+    QV_DECLARE_LENGTH_SAMPLINGS(mode##_rgbt16)                                                     \
+    QV_DECLARE_LENGTH_SAMPLINGS(mode##_indexed8_t8)                                                \
+    QV_DECLARE_LENGTH_SAMPLINGS(mode##_indexed8_t16)
 
 /*
  * nearest:  the voxel that contains the sample's rounded point; a point halfway
@@ -304,6 +337,30 @@ extern const qv_sampling qv_separate_indexed8_back_to_front, qv_separate_indexed
 extern const qv_sampling qv_weighted_rgba8_back_to_front, qv_weighted_rgba16_back_to_front;
 extern const qv_sampling qv_weighted_indexed8_back_to_front, qv_weighted_indexed8_16_back_to_front;
 
+/*
+ * Modes that weigh by length, trilinear or by the triquadratic B-spline (27 voxels;
+ * weights have 16 fraction bits and sum to exactly 1):
+ *
+ * corrected:   opacity-based sampling (Kraus and Buerger 2008, section 3.2): weighted,
+ *              then equations 16 and 17 for the length that the sample stands for. A
+ *              length of the unit distance needs no correction and gets none.
+ * extinction:  extinction-based sampling (section 3.3): extinction and extinction-
+ *              weighted colour are interpolated. The ray sums depth up with 32 fraction
+ *              bits, so that the step changes nothing in a homogeneous medium.
+ *              Of volumes that store opacity, each voxel's is converted as it is read.
+ * bspline_weighted, bspline_extinction: the same two with B-splines.
+ *
+ * Each names a storage; _levels reads a pyramid besides (qv_pyramid), front to back.
+ * The unit distance may be 2^-12 .. 2^12 steps (else QV_ERROR_UNIT). The full value's
+ * depth for a step, of the coarsest level, is below 2^22 (else QV_ERROR_EXTINCTION).
+ */
+QV_DECLARE_OPACITY_SAMPLINGS(qv_corrected)
+QV_DECLARE_OPACITY_SAMPLINGS(qv_bspline_weighted)
+QV_DECLARE_OPACITY_SAMPLINGS(qv_extinction)
+QV_DECLARE_EXTINCTION_SAMPLINGS(qv_extinction)
+QV_DECLARE_OPACITY_SAMPLINGS(qv_bspline_extinction)
+QV_DECLARE_EXTINCTION_SAMPLINGS(qv_bspline_extinction)
+
 /* ---- Pixel formats ------------------------------------------------------ */
 
 struct qv_pixel;
@@ -336,6 +393,20 @@ uint32_t qv_row_bytes(const qv_format *format, uint16_t width);
 
 /* ---- Rendering ---------------------------------------------------------- */
 
+/*
+ * Coarser levels of a volume in the caller's memory, kept alive and unchanged as its
+ * voxels are: level 1, then 2, and so on, each tightly packed, x fastest, without
+ * gaps, as qv_downsample makes them. A voxel of level l is 2^l voxels of the volume
+ * wide and begins where one of them does: level l has ceil(size / 2^l) of them on an
+ * axis, and the last may reach beyond the box, which is the volume's on every level.
+ * Voxels are RGBA or RGBT with the channels of the volume or of its palette.
+ */
+typedef struct qv_pyramid {
+    qv_address voxels; /* voxel (0,0,0) of level 1 */
+    uint64_t bytes;    /* at least qv_pyramid_bytes */
+    uint8_t levels;    /* coarser levels, 1 .. qv_pyramid_levels */
+} qv_pyramid;
+
 typedef struct qv_scene {
     const qv_sampling *sampling; /* must read the volume's storage */
     uint16_t phase;              /* of the sample grid, Q0.16 of a step */
@@ -343,16 +414,30 @@ typedef struct qv_scene {
                                     ends; 0: only where nothing more can be seen.
                                     QV_TERMINATION_DEFAULT costs at most 1/4 of an 8-bit level */
     uint8_t background[4];       /* R, G, B (unweighted) and opacity; all 0: transparent */
+    uint16_t level;              /* what _levels modes sample, Q8.8: 0 the volume, 256 level 1; in
+                                    between, both, in proportion. At most the levels there are */
+    uint32_t level_distance;     /* 0: that level everywhere. Else, in perspective: so many steps
+                                    from the eye the level begins to rise, to level + 1 at twice
+                                    the distance, and so on; see qv_detail. Below 2^23 */
+    const qv_pyramid *pyramid;   /* may be null for all but _levels modes */
     qv_volume volume;
     qv_camera camera;
 } qv_scene;
 
 #define QV_TERMINATION_DEFAULT 64
 
+/* What depth a step has; of modes that weigh by length, core/medium.h. */
+typedef struct qv_medium {
+    uint64_t depth;
+    uint32_t light;
+    uint32_t light_shift;
+} qv_medium;
+
 /* A checked scene, ready to render. Plain data: it may be copied, and holds no
    pointer into itself. Its fields are the library's own. */
 typedef struct qv_context {
     uint32_t background[4]; /* associated, levels with 17 fraction bits */
+    qv_medium medium;
     qv_scene scene;
 } qv_context;
 
@@ -510,6 +595,126 @@ qv_status qv_classify(void *voxels, size_t bytes, uint8_t storage, const qv_clas
  */
 qv_status qv_reduce(void *values, size_t bytes, const qv_scalars *scalars, const uint8_t factor[3],
                     uint16_t first_z, uint16_t end_z);
+
+/* ---- Opacity and extinction ----------------------------------------------- */
+
+/* R,G,B,A or R,G,B,T entries: voxels or a palette; tightly packed, 16-bit ones 2-aligned. */
+typedef struct qv_entries {
+    qv_address entries;
+    uint32_t count;
+    uint32_t unit_distance; /* of opacities, Q16.16 world units, not 0; else not read */
+    uint32_t extinction;    /* of the full stored value, Q16.16 as in qv_volume; else not read */
+    uint8_t storage;        /* QV_STORAGE_RGBA8, _RGBA16, _RGBT8 or _RGBT16 */
+} qv_entries;
+
+/*
+ * Converts entries: opacity to extinction, the reverse, to another unit distance or
+ * extinction, and between 8 and 16 bits a channel. `like` tells what to make: its
+ * storage, unit_distance and extinction; its entries and count are not read. bytes
+ * is the memory at `to`, which needs no alignment and may be the source itself where
+ * the storage keeps its width. Colours are rounded to nearest. The fourth channel is
+ * within .51 of its last place of real arithmetic; extinction beyond the full value
+ * becomes the full value, opacity 0 stays 0, full opacity becomes the full value.
+ * Returns QV_OK or QV_ERROR_NULL, _STORAGE, _STRIDE (16-bit source at an odd address),
+ * _UNIT (unit distance 0), _EXTINCTION (0), _BUFFER.
+ */
+qv_status qv_convert(void *to, size_t bytes, const qv_entries *like, const qv_entries *from);
+
+/*
+ * The least extinction of the full value, Q16.16, 1 or more, with which qv_convert
+ * holds all entries but those of full opacity, and these where their depth of 64 is
+ * no more than `most` (Q16.16, 0: 64 for the unit distance). Returns QV_OK or
+ * QV_ERROR_NULL, _STORAGE (not RGBA8 or RGBA16), _STRIDE, _UNIT.
+ */
+qv_status qv_extinction_of(uint32_t *extinction, const qv_entries *from, uint32_t most);
+
+/*
+ * A medium of several materials (Kraus and Buerger 2008, section 3.1): a point holds
+ * a percentage of each.
+ */
+typedef struct qv_material {
+    uint16_t colour[3];  /* unweighted */
+    uint32_t extinction; /* depth per world unit, Q16.16 */
+} qv_material;
+
+/* Sums over the materials, exact: equations 6 and 7. */
+typedef struct qv_mixture {
+    uint64_t extinction; /* sum of p * extinction: depth per world unit times 65536 * 65535 */
+    uint64_t light[3];   /* sum of p * extinction * colour: 65535 times the unit of extinction */
+} qv_mixture;
+
+/*
+ * Mixes materials; percentages are 16-bit fractions, 65535 is 1, and their sum is at
+ * most 1. Returns QV_OK, QV_ERROR_NULL, or QV_ERROR_MIXTURE.
+ */
+qv_status qv_mix(qv_mixture *mixture, const qv_material *materials, const uint16_t *percentages,
+                 uint16_t count);
+
+/* A mixture as a voxel of QV_STORAGE_RGBT16 with this extinction of the full value, not 0:
+   each channel to nearest; extinction beyond the full value becomes it. */
+void qv_mixture_to_voxel(uint16_t rgbt[4], const qv_mixture *mixture, uint32_t extinction);
+
+/* ---- Pyramids --------------------------------------------------------------- */
+
+/* Coarser levels until one voxel is left: 0 .. 12. */
+uint8_t qv_pyramid_levels(const uint16_t size[3]);
+
+/* Memory of levels 1 .. levels of a volume of this size and storage; at most 2^36 * 8 / 7. */
+uint64_t qv_pyramid_bytes(const uint16_t size[3], uint8_t storage, uint8_t levels);
+
+/*
+ * Describes a level as a volume of its own, level 0 being the volume itself: spacing
+ * times 2^level; unit distance and extinction are per world unit and stay. Its box is
+ * its voxels' and so may be longer than the volume's by less than a voxel. Returns
+ * QV_OK or an error of qv_volume_check, QV_ERROR_LEVEL, _BUFFER (pyramid too small).
+ */
+qv_status qv_pyramid_level(qv_volume *level, const qv_volume *volume, const qv_pyramid *pyramid,
+                           uint8_t number);
+
+/* A symmetric filter of four taps on each axis, in 1/64: outer, inner, inner, outer. */
+typedef struct qv_filter {
+    uint8_t outer, inner; /* their sum is 32 */
+} qv_filter;
+
+extern const qv_filter qv_filter_box2;  /* 0 1 1 0 by 2 */
+extern const qv_filter qv_filter_box4;  /* 1 1 1 1 by 4: best for trilinear sampling */
+extern const qv_filter qv_filter_quad4; /* 13 19 19 13 by 64: best for B-splines */
+
+/*
+ * What is averaged: the fourth channel as it is stored, or the extinction of stored
+ * opacities. The caller names one, and only that one is linked. The fields are the
+ * library's own.
+ */
+typedef struct qv_domain {
+    uint32_t (*weight)(uint32_t channel, uint8_t storage);
+    uint32_t (*channel)(uint32_t weight, uint8_t storage);
+} qv_domain;
+
+extern const qv_domain qv_domain_stored, qv_domain_extinction;
+
+/*
+ * Downsampling (Kraus and Buerger 2008, section 4): makes the slices first_z <= z <
+ * end_z of the next coarser level, ceil(size / 2) voxels on each axis, tightly packed
+ * at `voxels`, which needs no alignment and must not overlap the finer level. Voxel i
+ * has its taps at 2i-1 .. 2i+2; beyond a face the volume is mirrored in it (-1 is 0, n
+ * is n-1). The fourth channel is averaged in the domain, colours weighted by it; sums
+ * are exact, and each channel is rounded once, to nearest. A voxel without opacity is
+ * black. Works in a few dozen words, whatever the size.
+ * Returns QV_OK or an error of qv_volume_check, or QV_ERROR_SIZE (slices), _BUFFER,
+ * _LEVEL (finer has one voxel), _MIXTURE (a filter that does not sum to 1), _STORAGE
+ * (qv_domain_extinction of stored extinction: take qv_domain_stored).
+ */
+qv_status qv_downsample(void *voxels, size_t bytes, const qv_volume *finer, const qv_filter *filter,
+                        const qv_domain *domain, uint16_t first_z, uint16_t end_z);
+
+/*
+ * Sets scene->level and level_distance so that a pixel is no wider than a voxel of the
+ * level that it sees, by the volume's least spacing and the view's pitch: log2(pitch /
+ * spacing) for orthographic cameras, to 1/256; in perspective the distance from which
+ * on the level rises. Clamped to the pyramid's levels. The scene's volume, camera and
+ * pyramid must be set. Returns QV_OK or QV_ERROR_NULL, _VIEW, _SPACING.
+ */
+qv_status qv_detail(qv_scene *scene, const qv_view *view);
 
 #ifdef __cplusplus
 }

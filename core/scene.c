@@ -1,4 +1,5 @@
 #include "camera.h"
+#include "march.h"
 #include "fx_unorm.h"
 
 /* Levels with 17 fraction bits of colour * opacity: p * 131072 / 255 for p <=
@@ -7,6 +8,14 @@ static uint32_t associated_level(uint8_t colour, uint8_t opacity)
 {
     uint32_t p = (uint32_t)colour * opacity;
     return 2u * (p * 257u + fx_div255_round(p));
+}
+
+/* Modes that know no lengths take opacities as they are. */
+qv_status qv_prepare_steps(qv_context *context, const qv_scene *scene)
+{
+    uint32_t unit = scene->volume.unit_distance;
+    (void)context;
+    return unit != 0 && unit != scene->camera.step ? QV_ERROR_UNIT : QV_OK;
 }
 
 static qv_status check_scene(const qv_scene *scene)
@@ -20,8 +29,6 @@ static qv_status check_scene(const qv_scene *scene)
         return QV_ERROR_STORAGE;
     if (scene->camera.step == 0)
         return QV_ERROR_STEP;
-    if (scene->volume.unit_distance != 0 && scene->volume.unit_distance != scene->camera.step)
-        return QV_ERROR_UNIT;
     return qv_camera_check(&scene->camera);
 }
 
@@ -30,6 +37,8 @@ qv_status qv_init(qv_context *context, const qv_scene *scene)
     if (!context || !scene)
         return QV_ERROR_NULL;
     qv_status status = check_scene(scene);
+    if (status == QV_OK)
+        status = scene->sampling->prepare(context, scene);
     if (status != QV_OK)
         return status;
     const uint8_t *background = scene->background;

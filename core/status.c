@@ -27,7 +27,7 @@ const char *qv_status_text(qv_status status)
     case QV_ERROR_STEP:
         return "step out of range";
     case QV_ERROR_UNIT:
-        return "unit distance of the opacities differs from the step";
+        return "unit distance out of range, or not the step where it must be";
     case QV_ERROR_CAMERA:
         return "camera matrix degenerate or out of range";
     case QV_ERROR_VIEW:
@@ -44,6 +44,12 @@ const char *qv_status_text(qv_status status)
         return "light direction zero or coefficient out of range";
     case QV_ERROR_RESERVED:
         return "a reserved field is not zero";
+    case QV_ERROR_EXTINCTION:
+        return "extinction 0, or too much for one step";
+    case QV_ERROR_MIXTURE:
+        return "percentages of materials sum to more than 1";
+    case QV_ERROR_LEVEL:
+        return "pyramid missing, or its levels more than the volume has";
     }
     return "unknown status";
 }

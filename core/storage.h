@@ -8,9 +8,15 @@
 #include "fx_inline.h"
 #include "qvol.h"
 
+/* Whether the fourth channel is extinction. */
+FX_INLINE int qv_storage_extinction(unsigned storage)
+{
+    return storage >= QV_STORAGE_RGBT8;
+}
+
 FX_INLINE int qv_storage_indexed(unsigned storage)
 {
-    return storage >= QV_STORAGE_INDEXED8;
+    return ((storage - 1u) & 2u) != 0;
 }
 
 /* Bytes of one channel, 1 or 2. */
@@ -32,7 +38,7 @@ FX_INLINE unsigned qv_voxel_bytes(unsigned storage)
 
 FX_INLINE unsigned qv_voxel_alignment(unsigned storage)
 {
-    return storage == QV_STORAGE_RGBA16 ? 2u : 1u;
+    return (storage & 3u) == QV_STORAGE_RGBA16 ? 2u : 1u;
 }
 
 #endif /* QV_STORAGE_H */
