@@ -33,7 +33,7 @@ void qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int3
                            qv_phase_of(along, context->scene.phase);
         ray->advance[axis] = along;
     }
-    context->scene.sampling->clip(ray, context->scene.volume.size, -QV_GRID_LIMIT);
+    context->scene.sampling->clip(ray, context, -QV_GRID_LIMIT);
 }
 
 /* The largest component of a unit vector is at least 1/sqrt(3) > 1/2: every rotation of

@@ -129,7 +129,7 @@ void qv_ray_perspective(qv_ray *ray, const qv_context *context, int32_t x, int32
         ray->place[axis] =
             camera->origin[axis] + qv_phase_of(ray->advance[axis], context->scene.phase);
     }
-    context->scene.sampling->clip(ray, context->scene.volume.size, 0);
+    context->scene.sampling->clip(ray, context, 0);
 }
 
 /*

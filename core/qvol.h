@@ -284,7 +284,7 @@ struct qv_light;
  */
 typedef struct qv_sampling {
     qv_status (*prepare)(struct qv_context *context, const struct qv_scene *scene);
-    void (*clip)(struct qv_ray *ray, const uint16_t size[3], int32_t first);
+    void (*clip)(struct qv_ray *ray, const struct qv_context *context, int32_t first);
     void (*march)(struct qv_light *light, struct qv_ray *ray, const struct qv_context *context);
     uint32_t read_out; /* accumulated light to pixel levels, core/composite.h */
     uint8_t storage;   /* the qv_storage it reads */

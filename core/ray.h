@@ -16,18 +16,19 @@
  * 1/512 (so that cutting it to 8 fraction bits rounds it to nearest).
  */
 typedef struct qv_ray {
-    qv_coord place[3];   /* Q31.32 */
-    qv_coord advance[3]; /* voxels from sample to sample, Q31.32 */
-    uint32_t samples;    /* that remain */
+    qv_coord place[3];    /* Q31.32 */
+    qv_coord advance[3];  /* voxels from sample to sample, Q31.32 */
+    uint32_t samples;     /* that remain */
+    int64_t enter, leave; /* of modes that weigh by length: where the way begins and ends */
 } qv_ray;
 
 /*
- * Clips a ray to the box of a volume. On entry place is the point of sample 0 in
+ * Clips a ray to the box of a scene's volume. On entry place is the point of sample 0 in
  * voxel coordinates, |place| < 2^62; on return the ray stands at its first
  * sample k >= first with 0 <= p < size on every axis, and samples counts those
  * up to the last. Exact: the same samples as testing each of them.
  */
-void qv_ray_clip(qv_ray *ray, const uint16_t size[3], int32_t first);
+void qv_ray_clip(qv_ray *ray, const qv_context *context, int32_t first);
 
 /* The rays of qv_projection_orthographic and qv_projection_perspective. */
 void qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);

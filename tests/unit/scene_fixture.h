@@ -11,6 +11,7 @@
 #include "check.h"
 #include "qvol.h"
 #include "random.h"
+#include "ray.h"
 
 #include <string.h>
 
@@ -49,6 +50,16 @@ static inline int fixture_untouched(const void *memory, size_t bytes)
     while (bytes > 0 && byte[bytes - 1] == FIXTURE_POISON)
         bytes--;
     return bytes == 0;
+}
+
+/* ---- Rays ---- */
+
+/* Clips a ray to a box of this size. */
+static inline void fixture_clip(qv_ray *ray, const uint16_t size[3], int32_t first)
+{
+    qv_context context;
+    memcpy(context.scene.volume.size, size, sizeof context.scene.volume.size);
+    qv_ray_clip(ray, &context, first);
 }
 
 /* ---- Volumes ------------------------------------------------------------ */

@@ -16,7 +16,7 @@
 /* A ray as qv_ray_clip takes it. */
 static qv_ray line(const qv_coord place[3], const qv_coord advance[3])
 {
-    qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 0};
+    qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 0, 0, 0};
     for (unsigned axis = 0; axis < 3; axis++) {
         ray.place[axis] = place[axis];
         ray.advance[axis] = advance[axis];
@@ -42,7 +42,7 @@ static void expect_clip(const qv_ray *ray, const uint16_t size[3], int32_t first
     int32_t start = first;
     uint32_t count = 0;
 
-    qv_ray_clip(&clipped, size, first);
+    fixture_clip(&clipped, size, first);
     while (start <= reach && !in_box(ray, start, size))
         start++;
     while (start + (int32_t)count <= reach && in_box(ray, start + (int32_t)count, size))
@@ -60,7 +60,7 @@ static void expect_clip(const qv_ray *ray, const uint16_t size[3], int32_t first
 static qv_ray random_ray(uint32_t *seed)
 {
     const int exact = random_below(seed, 2) != 0;
-    qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 0};
+    qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 0, 0, 0};
     for (unsigned axis = 0; axis < 3; axis++) {
         const int64_t place = random_next(seed), advance = random_next(seed);
         const int64_t sign = random_below(seed, 2) != 0 ? 1 : -1;
@@ -111,12 +111,12 @@ static void the_box_is_half_open(void **state)
                 advance[(axis + 1) % 3] = sign * VOXEL;
                 place[axis] = faces[face];
                 qv_ray grazing = line(place, advance); /* along the face */
-                qv_ray_clip(&grazing, size, -100);
+                fixture_clip(&grazing, size, -100);
                 assert_int_equal(grazing.samples, face == 0 ? 4 : 0);
                 advance[axis] = sign * VOXEL;
                 advance[(axis + 1) % 3] = 0;
                 qv_ray through = line(place, advance); /* a sample on either face */
-                qv_ray_clip(&through, size, -100);
+                fixture_clip(&through, size, -100);
                 assert_int_equal(through.samples, 4);
                 assert_true(through.place[axis] + HALF - ROUNDING == (sign > 0 ? 0 : 3 * VOXEL));
             }
@@ -134,7 +134,7 @@ static void one_bit_decides(void **state)
     for (unsigned i = 0; i < 4; i++) {
         const qv_coord place[3] = {x[i], 0, 0};
         qv_ray ray = line(place, advance);
-        qv_ray_clip(&ray, size, -5);
+        fixture_clip(&ray, size, -5);
         assert_int_equal(ray.samples, samples[i]);
     }
 }
@@ -148,14 +148,14 @@ static void samples_have_a_limit(void **state)
     qv_ray ray = line(middle, still);
     (void)state;
 
-    qv_ray_clip(&ray, size, -QV_GRID_LIMIT);
+    fixture_clip(&ray, size, -QV_GRID_LIMIT);
     assert_int_equal(ray.samples, 1u << 23);
     ray = line(middle, slow);
-    qv_ray_clip(&ray, size, -QV_GRID_LIMIT);
+    fixture_clip(&ray, size, -QV_GRID_LIMIT);
     assert_int_equal(ray.samples, 1u << 23);
     assert_true(ray.place[0] == middle[0] - QV_GRID_LIMIT - HALF + ROUNDING);
     ray = line(middle, slow);
-    qv_ray_clip(&ray, size, 0);
+    fixture_clip(&ray, size, 0);
     assert_int_equal(ray.samples, 1u << 22);
 }
 
@@ -172,10 +172,10 @@ static void far_rays_do_not_overflow(void **state)
             const qv_coord place[3] = {sign * far, 5, 5};
             const qv_coord fast[3] = {turn * (VOXEL << 8), 0, 0}, slow[3] = {turn * VOXEL, 0, 0};
             qv_ray ray = line(place, fast);
-            qv_ray_clip(&ray, size, -QV_GRID_LIMIT);
+            fixture_clip(&ray, size, -QV_GRID_LIMIT);
             assert_int_equal(ray.samples, QV_AXIS_MAX >> 8); /* at k = 2^20 */
             ray = line(place, slow);
-            qv_ray_clip(&ray, size, -QV_GRID_LIMIT);
+            fixture_clip(&ray, size, -QV_GRID_LIMIT);
             assert_int_equal(ray.samples, 0); /* would be at 2^28 */
         }
 }
@@ -197,9 +197,9 @@ static void expect_no_seam(const qv_ray *ray, const uint16_t size[3], unsigned a
     low_size[axis] = seam;
     high_size[axis] = (uint16_t)(size[axis] - seam);
     high.place[axis] -= seam * VOXEL;
-    qv_ray_clip(&whole, size, -1000);
-    qv_ray_clip(&low, low_size, -1000);
-    qv_ray_clip(&high, high_size, -1000);
+    fixture_clip(&whole, size, -1000);
+    fixture_clip(&low, low_size, -1000);
+    fixture_clip(&high, high_size, -1000);
     high.place[axis] += seam * VOXEL;
 
     const int upwards = ray->advance[axis] >= 0;
@@ -281,7 +281,7 @@ static void orthographic_rays_follow_the_formula(void **state)
         const int32_t x = (int32_t)random_below(&seed, 40) - 10;
         const int32_t y = (int32_t)random_below(&seed, 40) - 10;
         const qv_camera *camera = &f.scene.camera;
-        qv_ray expected = {{0, 0, 0}, {0, 0, 0}, 0}, ray;
+        qv_ray expected = {{0, 0, 0}, {0, 0, 0}, 0, 0, 0}, ray;
         f.scene.phase = phases[i % 5];
         assert_int_equal(qv_orthographic(&f.scene.camera, &f.scene.volume, &view), QV_OK);
         const qv_context context = fixture_context(&f);
@@ -292,7 +292,7 @@ static void orthographic_rays_follow_the_formula(void **state)
             expected.advance[axis] = camera->along[axis];
         }
         qv_ray_orthographic(&ray, &context, x, y);
-        qv_ray_clip(&expected, f.scene.volume.size, -REACH);
+        fixture_clip(&expected, f.scene.volume.size, -REACH);
         assert_int_equal(ray.samples, expected.samples);
         if (ray.samples != 0)
             assert_memory_equal(ray.place, expected.place, sizeof ray.place);

@@ -54,7 +54,7 @@ typedef struct point {
 
 static qv_cell cell_at(const point *p)
 {
-    qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 1};
+    qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 1, 0, 0};
     qv_cell cell;
     for (unsigned axis = 0; axis < 3; axis++) /* less 1/2 and plus 1/512, as a ray holds it */
         ray.place[axis] = p->at[axis] * (VOXEL / 256) - VOXEL / 2 + VOXEL / 512;
@@ -321,7 +321,7 @@ static void points_round_to_nearest(void **state)
     fixture_make(&f, &qv_nearest_rgba8, 1);
     for (unsigned i = 0; i < 4; i++)
         for (unsigned axis = 0; axis < 3; axis++) {
-            qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 1};
+            qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 1, 0, 0};
             qv_cell cell;
             ray.place[axis] = VOXEL + offset[i] + VOXEL / 512;
             qv_cell_locate(&cell, &f.scene.volume, &ray);

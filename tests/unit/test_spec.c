@@ -53,7 +53,7 @@ static void S8_address(void **state)
 {
     qv_volume volume = any_volume();
     qv_cell cell;
-    const qv_ray ray = {{3 * VOXEL, 2 * VOXEL, 1 * VOXEL}, {0, 0, 0}, 1};
+    const qv_ray ray = {{3 * VOXEL, 2 * VOXEL, 1 * VOXEL}, {0, 0, 0}, 1, 0, 0};
     (void)state;
     for (unsigned axis = 0; axis < 3; axis++)
         volume.size[axis] = 8;
@@ -183,7 +183,8 @@ static void expect_clip(qv_ray ray, int32_t least, int32_t first, int32_t last)
 {
     const qv_volume volume = any_volume();
     const qv_coord start = ray.place[0];
-    qv_ray_clip(&ray, volume.size, least);
+    const qv_context context = {.scene.volume = volume};
+    qv_ray_clip(&ray, &context, least);
     assert_int_equal(ray.samples, last - first + 1);
     assert_int_equal(ray.place[0], start + first * ray.advance[0] - VOXEL / 2 + VOXEL / 512);
 }
@@ -194,8 +195,8 @@ static void S15_clip(void **state)
         {12323212785, 1843947829, 21687010078}, {-1519078587, 1887679198, -339392442}, 0};
     const qv_ray orthographic_ray = {
         {5221135781, 8677510410, 9398355452}, {-1394831547, 1610612738, -2415900672}, 0};
-    const qv_ray upwards = {{0, VOXEL, VOXEL}, {VOXEL / 2, 0, 0}, 0};
-    const qv_ray downwards = {{0, VOXEL, VOXEL}, {-VOXEL / 2, 0, 0}, 0};
+    const qv_ray upwards = {{0, VOXEL, VOXEL}, {VOXEL / 2, 0, 0}, 0, 0, 0};
+    const qv_ray downwards = {{0, VOXEL, VOXEL}, {-VOXEL / 2, 0, 0}, 0, 0, 0};
     (void)state;
     expect_clip(perspective_ray, 0, 1, 8);
     expect_clip(orthographic_ray, -QV_GRID_LIMIT, -4, 3);
@@ -220,12 +221,14 @@ static void expect_cell(const qv_ray *ray, ptrdiff_t low, ptrdiff_t high, uint32
 
 static void S16_cell(void **state)
 {
-    const qv_ray inner = {{5626881984, 5367890383, 18529737712}, {0, 0, 0}, 1};
+    const qv_ray inner = {{5626881984, 5367890383, 18529737712}, {0, 0, 0}, 1, 0, 0};
     const qv_coord centred = VOXEL / 512 - VOXEL / 2;
     const qv_ray clamped = {
         {VOXEL / 4 + centred, 7 * VOXEL / 2 + centred, 2 * VOXEL - VOXEL / 512 + centred},
         {0, 0, 0},
-        1};
+        1,
+        0,
+        0};
     (void)state;
     expect_cell(&inner, 1 * 1 + 1 * 3 + 4 * 12, 2 * 1 + 2 * 3 + 4 * 12, 79, 63, 80);
     expect_cell(&clamped, 0 * 1 + 3 * 3 + 1 * 12, 0 * 1 + 3 * 3 + 2 * 12, 192, 0, 128);
