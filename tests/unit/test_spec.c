@@ -192,9 +192,9 @@ static void expect_clip(qv_ray ray, int32_t least, int32_t first, int32_t last)
 static void S15_clip(void **state)
 {
     const qv_ray perspective_ray = {
-        {12323212785, 1843947829, 21687010078}, {-1519078587, 1887679198, -339392442}, 0};
+        {12323212785, 1843947829, 21687010078}, {-1519078587, 1887679198, -339392442}, 0, 0, 0};
     const qv_ray orthographic_ray = {
-        {5221135781, 8677510410, 9398355452}, {-1394831547, 1610612738, -2415900672}, 0};
+        {5221135781, 8677510410, 9398355452}, {-1394831547, 1610612738, -2415900672}, 0, 0, 0};
     const qv_ray upwards = {{0, VOXEL, VOXEL}, {VOXEL / 2, 0, 0}, 0, 0, 0};
     const qv_ray downwards = {{0, VOXEL, VOXEL}, {-VOXEL / 2, 0, 0}, 0, 0, 0};
     (void)state;
