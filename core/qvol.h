@@ -109,10 +109,9 @@ typedef enum qv_status {
     QV_ERROR_TRANSFER = -13,   /* control points out of order, or none */
     QV_ERROR_WINDOW = -14,     /* window of scalar values is empty or out of range */
     QV_ERROR_LIGHT = -15,      /* shading: zero vector or coefficient out of range */
-    QV_ERROR_RESERVED = -16,   /* a field that must be zero is not */
-    QV_ERROR_EXTINCTION = -17, /* extinction of the full value 0, or too much for a step */
-    QV_ERROR_MIXTURE = -18,    /* percentages sum to more than 1 */
-    QV_ERROR_LEVEL = -19       /* more levels than the size has, or a level without a pyramid */
+    QV_ERROR_EXTINCTION = -16, /* extinction of the full value 0, or too much for a step */
+    QV_ERROR_MIXTURE = -17,    /* percentages sum to more than 1 */
+    QV_ERROR_LEVEL = -18       /* more levels than the size has, or a level without a pyramid */
 } qv_status;
 
 /* One line of English for a status, never null; also for values not listed. */
@@ -151,10 +150,10 @@ typedef enum qv_storage {
 typedef struct qv_volume {
     qv_address voxels;      /* voxel (0,0,0) */
     qv_address palette;     /* indexed storage: 256 entries, alignment as storage says; else null */
-    qv_address occupancy;   /* reserved for empty-space structures: null */
-    uint8_t storage;        /* a qv_storage */
     uint64_t voxels_bytes;  /* memory that the voxels span, from the lowest byte to the highest */
     uint32_t palette_bytes; /* QV_PALETTE8_BYTES or QV_PALETTE16_BYTES; 0 without palette */
+    uint16_t size[3];       /* voxels on x, y, z: 1 .. QV_AXIS_MAX */
+    uint8_t storage;        /* a qv_storage */
     uint32_t spacing[3];    /* world units per voxel, Q16.16, 1/16 .. 256; 0 means 1 */
     uint32_t unit_distance; /* world length for which opacities hold, Q16.16; 0: the step */
     uint32_t extinction;    /* depth per world unit of the full stored value, Q16.16; read where
@@ -162,12 +161,11 @@ typedef struct qv_volume {
     int32_t stride[3];      /* bytes to the next voxel on x, y, z; any order, any sign, even for
                                16-bit data. The axes must nest: sorted by size, each stride is at
                                least the extent of the axis below it. Ignored on axes of size 1 */
-    uint16_t size[3];       /* voxels on x, y, z: 1 .. QV_AXIS_MAX */
 } qv_volume;
 
 /*
  * Checks a volume as qv_init does. Returns QV_OK or QV_ERROR_NULL, _STORAGE,
- * _SIZE, _STRIDE, _PALETTE, _SPACING, _RESERVED.
+ * _SIZE, _STRIDE, _PALETTE, _SPACING.
  */
 qv_status qv_volume_check(const qv_volume *volume);
 

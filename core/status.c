@@ -42,8 +42,6 @@ const char *qv_status_text(qv_status status)
         return "window of values empty or out of range";
     case QV_ERROR_LIGHT:
         return "light direction zero or coefficient out of range";
-    case QV_ERROR_RESERVED:
-        return "a reserved field is not zero";
     case QV_ERROR_EXTINCTION:
         return "extinction 0, or too much for one step";
     case QV_ERROR_MIXTURE:

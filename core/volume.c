@@ -20,8 +20,6 @@ qv_status qv_volume_check(const qv_volume *volume)
     unsigned storage = volume->storage;
     if (storage - QV_STORAGE_RGBA8 > QV_STORAGE_INDEXED8_T16 - QV_STORAGE_RGBA8)
         return QV_ERROR_STORAGE;
-    if (volume->occupancy)
-        return QV_ERROR_RESERVED;
     unsigned alignment = qv_voxel_alignment(storage);
     if (!qv_aligned(volume->voxels, alignment))
         return QV_ERROR_STRIDE;

@@ -182,16 +182,15 @@ static void print_descriptor(struct flash_array *array)
     }
     print(array, "\n%sconst qv_volume %s_volume = {\n", array->header_file ? "static " : "",
           array->name);
-    print(array, "    (qv_address)%s_voxels,\n    %s,\n    0, /* occupancy */\n", array->name,
-          palette);
+    print(array, "    (qv_address)%s_voxels,\n    %s,\n", array->name, palette);
     print(array, "    %" PRIu64 "u, /* bytes of voxels */\n    %" PRIu32 "u, /* of palette */\n",
           voxel_count(scalars) * bytes, model->palette_bytes);
+    print(array, "    {%u, %u, %u}, /* size */\n    %s,\n", scalars->size[0], scalars->size[1],
+          scalars->size[2], storage_constant(model->storage));
     print(array, "    {%" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u}, /* spacing, Q16.16 */\n",
           scalars->spacing[0], scalars->spacing[1], scalars->spacing[2]);
-    print(array, "    0, /* unit distance: the step */\n    {%u, %u, %u}, /* strides */\n", bytes,
-          row, row * scalars->size[1]);
-    print(array, "    {%u, %u, %u}, /* size */\n    %s,\n};\n", scalars->size[0], scalars->size[1],
-          scalars->size[2], storage_constant(model->storage));
+    print(array, "    0, /* unit distance: the step */\n    0, /* extinction */\n");
+    print(array, "    {%u, %u, %u}, /* strides */\n};\n", bytes, row, row * scalars->size[1]);
 }
 
 void flash_array_end(struct flash_array *array)

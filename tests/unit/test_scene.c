@@ -63,9 +63,6 @@ static void volumes_are_checked(void **state)
     make();
     scene->volume.spacing[0] = 1;
     expect(QV_ERROR_SPACING);
-    make();
-    scene->volume.occupancy = scene->volume.voxels;
-    expect(QV_ERROR_RESERVED);
 }
 
 static void cameras_are_checked(void **state)

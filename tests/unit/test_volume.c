@@ -60,15 +60,6 @@ static void unknown_storages(void **state)
     }
 }
 
-static void occupancy_is_reserved(void **state)
-{
-    (void)state;
-
-    make(QV_STORAGE_INDEXED8);
-    volume->occupancy = volume->voxels;
-    expect(QV_ERROR_RESERVED);
-}
-
 /* ---- Sizes ---- */
 
 /* Whatever the strides are: the axis may be the one of the smallest. */
@@ -378,7 +369,6 @@ int main(void)
         cmocka_unit_test(every_storage_is_accepted),
         cmocka_unit_test(null_pointers),
         cmocka_unit_test(unknown_storages),
-        cmocka_unit_test(occupancy_is_reserved),
         cmocka_unit_test(sizes_out_of_range),
         cmocka_unit_test(the_largest_volume),
         cmocka_unit_test(a_single_voxel_needs_no_strides),
