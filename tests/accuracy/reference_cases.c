@@ -132,21 +132,21 @@ static void test_directions(void **state)
     }
 }
 
-/* Fractions 1/4, 1/2, 3/4 by hand, and a sum of 1. */
+/* Between two centres, and before the first one, where both taps are that one. */
 static void test_weights(void **state)
 {
-    const double fraction[3] = {0.25, 0.5, 0.75};
-    double weight[8], sum = 0;
+    ref_taps taps;
     (void)state;
-    ref_weights(weight, fraction);
-    assert_true(near(weight[0], 0.75 * 0.5 * 0.25));
-    assert_true(near(weight[1], 0.25 * 0.5 * 0.25));
-    assert_true(near(weight[4], 0.75 * 0.5 * 0.75));
-    assert_true(near(weight[7], 0.25 * 0.5 * 0.75));
-    for (int corner = 0; corner < 8; corner++) {
-        sum += weight[corner];
-    }
-    assert_true(near(sum, 1));
+    ref_linear_taps(&taps, 1.75, VOXELS);
+    assert_int_equal(taps.count, 2);
+    assert_int_equal(taps.at[0], 1);
+    assert_int_equal(taps.at[1], 2);
+    assert_true(near(taps.weight[0], 0.75));
+    assert_true(near(taps.weight[1], 0.25));
+    ref_linear_taps(&taps, 0.125, VOXELS);
+    assert_int_equal(taps.at[0], 0);
+    assert_int_equal(taps.at[1], 0);
+    assert_true(near(taps.weight[0] + taps.weight[1], 1));
 }
 
 /* Over, from the back, gives what under gives from the front. */

@@ -1,6 +1,7 @@
 #include "reference.h"
 
 #include <math.h>
+#include <string.h>
 
 /* ---- A line of samples and the box -------------------------------------- */
 
@@ -26,9 +27,10 @@ static span clip_axis(span k, double start, double step, double size)
     return k;
 }
 
-static span clip(const double start[3], const double step[3], const uint16_t size[3], double least)
+/* The k of the box that the ray reaches from k = from on. */
+static span clip(const double start[3], const double step[3], const uint16_t size[3], double from)
 {
-    span k = {least, HUGE_VAL};
+    span k = {from, HUGE_VAL};
     for (int axis = 0; axis < 3; axis++) {
         k = clip_axis(k, start[axis], step[axis], size[axis]);
     }
@@ -49,15 +51,24 @@ static const int margin = 2;
 
 /* Sets index and count so that the ray holds every sample in the box, and few others. */
 static void enclose(ref_ray *ray, const double start[3], const double step[3],
-                    const uint16_t size[3], double least)
+                    const uint16_t size[3], double from)
 {
-    const span k = clip(start, step, size, least);
+    const span k = clip(start, step, size, from);
     ray->index = 0;
     ray->count = 0;
     if (k.low <= k.high + margin) {
-        ray->index = (int64_t)fmax(floor(k.low) - margin, least);
+        ray->index = (int64_t)fmax(floor(k.low) - margin, ceil(from));
         ray->count = (int64_t)ceil(k.high) + margin - ray->index + 1;
     }
+}
+
+/* Sets the way through the box of a ray whose samples are counted from the first one. */
+static void measure(ref_ray *ray, const uint16_t size[3], double from)
+{
+    const span way = clip(ray->first, ray->step, size, from - (double)ray->index);
+    const bool hits = way.low < way.high;
+    ray->enter = hits ? way.low : 0;
+    ray->leave = hits ? way.high : 0;
 }
 
 /*
@@ -72,21 +83,23 @@ static void trim(ref_ray *ray, const uint16_t size[3])
         for (int axis = 0; axis < 3; axis++) {
             ray->first[axis] = point[axis] + ray->step[axis];
         }
+        ray->enter--;
+        ray->leave--;
         ray->index++;
         ray->count--;
         ref_point(point, ray, 0);
     }
-    ref_point(point, ray, ray->count - 1);
+    ref_point(point, ray, (double)ray->count - 1);
     while (ray->count > 0 && !in_box(point, size)) {
         ray->count--;
-        ref_point(point, ray, ray->count - 1);
+        ref_point(point, ray, (double)ray->count - 1);
     }
 }
 
-void ref_point(double point[3], const ref_ray *ray, int64_t j)
+void ref_point(double point[3], const ref_ray *ray, double steps)
 {
     for (int axis = 0; axis < 3; axis++) {
-        point[axis] = ray->first[axis] + (double)j * ray->step[axis];
+        point[axis] = ray->first[axis] + steps * ray->step[axis];
     }
 }
 
@@ -111,22 +124,23 @@ static int64_t times_phase(int64_t value, uint16_t phase)
 }
 
 /*
- * The samples of start + k * step, all Q31.32. Integers carry the point to the
- * first sample; from there on every point in the box has at most 12 + 32 bits,
- * which a double holds exactly.
+ * The samples of start + k * step, all Q31.32, of either sign. Integers carry the
+ * point to the first sample; from there on every point in the box has at most 12 + 32
+ * bits, which a double holds exactly.
  */
 static void integer_ray(ref_ray *ray, const int64_t start[3], const int64_t step[3],
-                        const uint16_t size[3], double least)
+                        const uint16_t size[3])
 {
     double real_start[3];
     for (int axis = 0; axis < 3; axis++) {
         real_start[axis] = (double)start[axis] / two_to_32;
         ray->step[axis] = (double)step[axis] / two_to_32;
     }
-    enclose(ray, real_start, ray->step, size, least);
+    enclose(ray, real_start, ray->step, size, -HUGE_VAL);
     for (int axis = 0; axis < 3; axis++) {
         ray->first[axis] = (double)(start[axis] + ray->index * step[axis]) / two_to_32;
     }
+    measure(ray, size, -HUGE_VAL);
     trim(ray, size);
 }
 
@@ -138,18 +152,19 @@ static void stored_orthographic(ref_ray *ray, const qv_scene *scene, int32_t x, 
         start[axis] = camera->origin[axis] + x * camera->across[axis] + y * camera->down[axis] +
                       times_phase(camera->along[axis], scene->phase);
     }
-    integer_ray(ray, start, camera->along, scene->volume.size, -HUGE_VAL);
+    integer_ray(ray, start, camera->along, scene->volume.size);
 }
 
-/* The samples of start + k * step in real numbers. */
+/* The samples of start + k * step in real numbers; the ray begins at k = from. */
 static void real_ray(ref_ray *ray, const double start[3], const double step[3],
-                     const uint16_t size[3], double least)
+                     const uint16_t size[3], double from)
 {
-    enclose(ray, start, step, size, least);
+    enclose(ray, start, step, size, from);
     for (int axis = 0; axis < 3; axis++) {
         ray->step[axis] = step[axis];
         ray->first[axis] = start[axis] + (double)ray->index * step[axis];
     }
+    measure(ray, size, from);
     trim(ray, size);
 }
 
@@ -174,7 +189,7 @@ static void stored_perspective(ref_ray *ray, const qv_scene *scene, int32_t x, i
         v[axis] = (double)sum / two_to_32;
     }
     if (!usable(v)) {
-        ray->count = 0;
+        memset(ray, 0, sizeof *ray);
         return;
     }
     const double phase = scene->phase / 65536.0;
@@ -182,7 +197,7 @@ static void stored_perspective(ref_ray *ray, const qv_scene *scene, int32_t x, i
         step[axis] = (double)camera->pace[axis] / two_to_32 * v[axis] / length(v);
         start[axis] = (double)camera->origin[axis] / two_to_32 + phase * step[axis];
     }
-    real_ray(ray, start, step, scene->volume.size, 0);
+    real_ray(ray, start, step, scene->volume.size, -phase);
 }
 
 void ref_stored_ray(ref_ray *ray, const qv_scene *scene, int32_t x, int32_t y)
@@ -226,5 +241,5 @@ void ref_ideal_ray(ref_ray *ray, const qv_scene *scene, const ref_view *view, in
         step[axis] = direction * view->step / unit;
         start[axis] = scene->volume.size[axis] / 2.0 + from / unit + phase * step[axis];
     }
-    real_ray(ray, start, step, scene->volume.size, perspective ? 0 : -HUGE_VAL);
+    real_ray(ray, start, step, scene->volume.size, perspective ? -phase : -HUGE_VAL);
 }

@@ -2,15 +2,24 @@
 
 #include <math.h>
 
-void ref_weights(double weight[8], const double fraction[3])
+bool ref_is_by_length(ref_mode mode)
 {
-    for (int corner = 0; corner < 8; corner++) {
-        weight[corner] = 1;
-        for (int axis = 0; axis < 3; axis++) {
-            const bool upper = (corner >> axis & 1) != 0;
-            weight[corner] *= upper ? fraction[axis] : 1 - fraction[axis];
-        }
-    }
+    return mode >= REF_CORRECTED;
+}
+
+bool ref_is_by_extinction(ref_mode mode)
+{
+    return mode == REF_EXTINCTION || mode == REF_BSPLINE_EXTINCTION;
+}
+
+static bool is_bspline(ref_mode mode)
+{
+    return mode == REF_BSPLINE_WEIGHTED || mode == REF_BSPLINE_EXTINCTION;
+}
+
+static int32_t clamp(double index, int32_t size)
+{
+    return (int32_t)fmax(0, fmin(index, size - 1));
 }
 
 /* The voxel that contains the point; a point rounded onto the upper face takes the last. */
@@ -18,7 +27,7 @@ static void nearest(double sample[4], const qv_volume *volume, const double poin
 {
     int32_t at[3];
     for (int axis = 0; axis < 3; axis++) {
-        at[axis] = (int32_t)fmin(floor(point[axis]), volume->size[axis] - 1);
+        at[axis] = clamp(floor(point[axis]), volume->size[axis]);
     }
     ref_voxel(sample, volume, at);
     for (int channel = 0; channel < 3; channel++) {
@@ -26,59 +35,78 @@ static void nearest(double sample[4], const qv_volume *volume, const double poin
     }
 }
 
-/* The cell between eight voxel centres and the position in it, clamped to the centres. */
-static void locate(int32_t cell[3], double fraction[3], const qv_volume *volume,
-                   const double point[3])
+/* The two voxel centres on either side; beyond the outermost both are that one. */
+void ref_linear_taps(ref_taps *taps, double point, int32_t size)
 {
-    for (int axis = 0; axis < 3; axis++) {
-        const double last = volume->size[axis] - 1;
-        const double position = fmax(0, fmin(point[axis] - 0.5, last));
-        cell[axis] = (int32_t)floor(position);
-        fraction[axis] = position - cell[axis];
+    const double place = point - 0.5, lower = floor(place);
+    taps->count = 2;
+    for (int i = 0; i < 2; i++) {
+        taps->at[i] = clamp(lower + i, size);
     }
+    taps->weight[0] = lower + 1 - place;
+    taps->weight[1] = place - lower;
 }
 
-static void corner_voxel(double rgba[4], const qv_volume *volume, const int32_t cell[3], int corner)
+/* The nearest voxel centre and its neighbours, u away from the middle one (de Boor). */
+void ref_bspline_taps(ref_taps *taps, double point, int32_t size)
 {
-    int32_t at[3];
-    for (int axis = 0; axis < 3; axis++) {
-        const int32_t next = cell[axis] + (corner >> axis & 1);
-        at[axis] = next < volume->size[axis] ? next : cell[axis];
+    const double middle = floor(point), u = point - middle - 0.5;
+    taps->count = 3;
+    for (int i = 0; i < 3; i++) {
+        taps->at[i] = clamp(middle + i - 1, size);
     }
+    taps->weight[0] = (0.5 - u) * (0.5 - u) / 2;
+    taps->weight[1] = 0.75 - u * u;
+    taps->weight[2] = (0.5 + u) * (0.5 + u) / 2;
+}
+
+/* Adds a voxel: its fourth channel as the mode has it, and colour weighted or as it stands. */
+static void add_voxel(double sum[4], const qv_volume *volume, ref_mode mode, const int32_t at[3],
+                      double weight)
+{
+    double rgba[4];
     ref_voxel(rgba, volume, at);
+    const double fourth = ref_is_by_extinction(mode) ? ref_extinction(rgba[3], volume) : rgba[3];
+    const double of_colour = mode == REF_SEPARATE ? 1 : fourth;
+    for (int channel = 0; channel < 3; channel++) {
+        sum[channel] += weight * of_colour * rgba[channel];
+    }
+    sum[3] += weight * fourth;
 }
 
-/* Trilinear sums: opacity, and colour either as it stands or weighted by the voxel's opacity. */
-static void trilinear(double sum[4], const qv_volume *volume, bool weighted, const double point[3])
+static void add_taps(double sum[4], const qv_volume *volume, ref_mode mode, const ref_taps taps[3])
 {
-    int32_t cell[3];
-    double fraction[3], weight[8], rgba[4];
-    locate(cell, fraction, volume, point);
-    ref_weights(weight, fraction);
-    for (int channel = 0; channel < 4; channel++) {
-        sum[channel] = 0;
-    }
-    for (int corner = 0; corner < 8; corner++) {
-        corner_voxel(rgba, volume, cell, corner);
-        const double part = weighted ? weight[corner] * rgba[3] : weight[corner];
-        for (int channel = 0; channel < 3; channel++) {
-            sum[channel] += part * rgba[channel];
+    for (int z = 0; z < taps[2].count; z++) {
+        for (int y = 0; y < taps[1].count; y++) {
+            for (int x = 0; x < taps[0].count; x++) {
+                const int32_t at[3] = {taps[0].at[x], taps[1].at[y], taps[2].at[z]};
+                const double weight = taps[0].weight[x] * taps[1].weight[y] * taps[2].weight[z];
+                add_voxel(sum, volume, mode, at, weight);
+            }
         }
-        sum[3] += weight[corner] * rgba[3];
     }
 }
 
 void ref_reconstruct(double sample[4], const qv_volume *volume, ref_mode mode,
                      const double point[3])
 {
+    ref_taps taps[3];
     if (mode == REF_NEAREST) {
         nearest(sample, volume, point);
         return;
     }
-    trilinear(sample, volume, mode == REF_WEIGHTED, point);
-    if (mode == REF_SEPARATE) {
-        for (int channel = 0; channel < 3; channel++) {
-            sample[channel] *= sample[3];
+    for (int axis = 0; axis < 3; axis++) {
+        if (is_bspline(mode)) {
+            ref_bspline_taps(&taps[axis], point[axis], volume->size[axis]);
+        } else {
+            ref_linear_taps(&taps[axis], point[axis], volume->size[axis]);
         }
+    }
+    for (int channel = 0; channel < 4; channel++) {
+        sample[channel] = 0;
+    }
+    add_taps(sample, volume, mode, taps);
+    for (int channel = 0; channel < 3; channel++) {
+        sample[channel] *= mode == REF_SEPARATE ? sample[3] : 1;
     }
 }

@@ -7,8 +7,11 @@
  *
  *   angle.c        directions of a view from binary angles
  *   ray.c          samples of a ray: of the stored camera, or of the ideal one
+ *   stretch.c      the pieces of a ray for modes that weigh by length
  *   voxel.c        voxels as real colours
- *   reconstruct.c  nearest, separate and weighted reconstruction
+ *   pyramid.c      levels of a pyramid as volumes
+ *   reconstruct.c  reconstruction between voxels
+ *   medium.c       depth, opacity and length
  *   composite.c    over and under
  *   render.c       one pixel from all of them
  *   quantise.c     real channels to the levels of a display
@@ -44,6 +47,8 @@ typedef struct ref_ray {
     double step[3];
     int64_t index; /* k of the first sample on the grid s = (k + phase) * step */
     int64_t count;
+    double enter, leave; /* its way through the box, in steps from the first sample; the two are
+                            equal where it misses */
 } ref_ray;
 
 /* A view in real numbers: what qv_view and the camera functions are told. */
@@ -61,26 +66,91 @@ void ref_stored_ray(ref_ray *ray, const qv_scene *scene, int32_t x, int32_t y);
 /* The same ray for the view that the camera was made of, not rounded at all. */
 void ref_ideal_ray(ref_ray *ray, const qv_scene *scene, const ref_view *view, int32_t x, int32_t y);
 
-/* The point of sample j. */
-void ref_point(double point[3], const ref_ray *ray, int64_t j);
+/* The point so many steps behind the first sample. */
+void ref_point(double point[3], const ref_ray *ray, double steps);
 
 /* A point rounded to 1/256 voxel on each axis, ties upwards. */
 void ref_round_point(double point[3]);
 
+/* ---- stretch.c: pieces of a ray's way through the box ---------------------- */
+
+/* From where to where, in steps from the ray's first sample. */
+typedef struct ref_piece {
+    double begin, end;
+} ref_piece;
+
+/* An empty piece where the ray enters the box. */
+ref_piece ref_first_piece(const ref_ray *ray);
+
+/*
+ * The piece behind this one: up to the next border between stretches of so many steps,
+ * a power of 2, or to where the ray leaves. Samples lie at whole numbers k of the grid;
+ * borders at the multiples of the stretch less 1/2. False where nothing is left.
+ */
+bool ref_next_piece(ref_piece *piece, const ref_ray *ray, double stretch);
+
 /* ---- voxel.c ------------------------------------------------------------ */
 
-/* Colour (unweighted) and opacity of a voxel as the storage holds them. */
+/* What a qv_storage is: 16 bits a channel, read through a palette, extinction for opacity. */
+bool ref_is_wide(uint8_t storage);
+bool ref_is_indexed(uint8_t storage);
+bool ref_holds_extinction(uint8_t storage);
+
+/* The channels of a voxel as the storage holds them, colours unweighted. */
 void ref_voxel(double rgba[4], const qv_volume *volume, const int32_t at[3]);
 
-/* ---- reconstruct.c: associated colour and opacity at a point -------------- */
+/* ---- pyramid.c ------------------------------------------------------------ */
 
-typedef enum ref_mode { REF_NEAREST, REF_SEPARATE, REF_WEIGHTED } ref_mode;
+/* A level of a scene as a volume of its own; level 0 is the volume. */
+void ref_pyramid_level(qv_volume *level, const qv_scene *scene, int number);
 
-/* The eight trilinear weights of a fraction; bit 0 of the index is x, bit 2 z. */
-void ref_weights(double weight[8], const double fraction[3]);
+/* ---- reconstruct.c: colour and opacity at a point -------------------------- */
 
+/* The modes from REF_CORRECTED on weigh by length. */
+typedef enum ref_mode {
+    REF_NEAREST,
+    REF_SEPARATE,
+    REF_WEIGHTED,
+    REF_CORRECTED,
+    REF_EXTINCTION,
+    REF_BSPLINE_WEIGHTED,
+    REF_BSPLINE_EXTINCTION
+} ref_mode;
+
+bool ref_is_by_length(ref_mode mode);
+bool ref_is_by_extinction(ref_mode mode);
+
+/* The voxels that a point on one axis reads, and their weights. */
+typedef struct ref_taps {
+    int count; /* 2 linear, 3 quadratic B-spline */
+    int32_t at[3];
+    double weight[3];
+} ref_taps;
+
+void ref_linear_taps(ref_taps *taps, double point, int32_t size);
+void ref_bspline_taps(ref_taps *taps, double point, int32_t size);
+
+/*
+ * Associated colour and opacity. By extinction the fourth channel is depth per world
+ * unit, and colours are weighted by it; the volume's unit distance must not be 0.
+ */
 void ref_reconstruct(double sample[4], const qv_volume *volume, ref_mode mode,
                      const double point[3]);
+
+/* ---- medium.c: depth is in base 2 ------------------------------------------ */
+
+/* Depth of an opacity; 64 for 1. */
+double ref_depth(double opacity);
+
+/* Depth per world unit of a voxel's fourth channel. */
+double ref_extinction(double channel, const qv_volume *volume);
+
+/* Opacity for another distance, so many times the stored one (equation 16). */
+double ref_correct(double opacity, double ratio);
+
+/* Makes of what ref_reconstruct found the colour and opacity of a piece of this length in
+   world units (equations 16 and 17, or 22 and 23). */
+void ref_weigh(double sample[4], const qv_volume *volume, ref_mode mode, double length);
 
 /* ---- composite.c: associated colours ------------------------------------ */
 
@@ -93,12 +163,13 @@ void ref_over(double light[4], const double sample[4]);
 /* ---- render.c ----------------------------------------------------------- */
 
 typedef struct ref_pixel {
-    double rgba[4]; /* associated, with the background */
-    double opacity; /* of the volume alone */
-    int64_t samples;
+    double rgba[4];  /* associated, with the background */
+    double opacity;  /* of the volume alone */
+    int64_t samples; /* or pieces */
 } ref_pixel;
 
-/* A pixel by the stored camera, every sample composited. */
+/* A pixel by the stored camera, every sample composited. A scene's pyramid is read where the
+   mode weighs by length. */
 void ref_render(ref_pixel *pixel, const qv_scene *scene, ref_mode mode, int32_t x, int32_t y);
 
 /* A pixel by the ideal camera. */

@@ -1,5 +1,7 @@
 #include "reference.h"
 
+#include <math.h>
+
 /* Puts the scene's background, given unweighted, behind the light. */
 static void add_background(double light[4], const uint8_t background[4])
 {
@@ -11,24 +13,87 @@ static void add_background(double light[4], const uint8_t background[4])
     ref_under(light, associated);
 }
 
-static void march(ref_pixel *pixel, const qv_scene *scene, ref_mode mode, const ref_ray *ray,
-                  bool rounded)
+/* Samples that know no length. */
+static void march_samples(ref_pixel *pixel, const qv_scene *scene, ref_mode mode,
+                          const ref_ray *ray, bool rounded)
 {
-    double light[4] = {0, 0, 0, 0}, point[3], sample[4];
+    double point[3], sample[4];
     for (int64_t j = 0; j < ray->count; j++) {
-        ref_point(point, ray, j);
+        ref_point(point, ray, (double)j);
         if (rounded) {
             ref_round_point(point);
         }
         ref_reconstruct(sample, &scene->volume, mode, point);
-        ref_under(light, sample);
+        ref_under(pixel->rgba, sample);
     }
-    pixel->opacity = light[3];
     pixel->samples = ray->count;
-    add_background(light, scene->background);
-    for (int channel = 0; channel < 4; channel++) {
-        pixel->rgba[channel] = light[channel];
+}
+
+/* Reconstructs in one level, at a point of the volume's voxel coordinates. */
+static void sample_level(double sample[4], const qv_scene *scene, ref_mode mode,
+                         const double point[3], int number, bool rounded)
+{
+    qv_volume level;
+    double place[3];
+    ref_pyramid_level(&level, scene, number);
+    for (int axis = 0; axis < 3; axis++) {
+        place[axis] = ldexp(point[axis], -number);
     }
+    if (rounded) {
+        ref_round_point(place);
+    }
+    ref_reconstruct(sample, &level, mode, place);
+}
+
+/* Reconstructs in the level, or between the two that it lies between. */
+static void sample_between(double sample[4], const qv_scene *scene, ref_mode mode,
+                           const double point[3], double level, bool rounded)
+{
+    const int finer = (int)floor(level);
+    const double share = level - finer;
+    sample_level(sample, scene, mode, point, finer, rounded);
+    if (share > 0) {
+        double coarser[4];
+        sample_level(coarser, scene, mode, point, finer + 1, rounded);
+        for (int channel = 0; channel < 4; channel++) {
+            sample[channel] += share * (coarser[channel] - sample[channel]);
+        }
+    }
+}
+
+/* Pieces of the ray's way, each sampled at its middle and weighed by its length. */
+static void march_pieces(ref_pixel *pixel, const qv_scene *scene, ref_mode mode, const ref_ray *ray,
+                         bool rounded)
+{
+    const double level = scene->level / 256.0, stretch = ldexp(1, (int)floor(level));
+    const double step = scene->camera.step / 65536.0;
+    qv_scene of = *scene;
+    double point[3], sample[4];
+    if (of.volume.unit_distance == 0) {
+        of.volume.unit_distance = scene->camera.step;
+    }
+    ref_piece piece = ref_first_piece(ray);
+    for (pixel->samples = 0; ref_next_piece(&piece, ray, stretch); pixel->samples++) {
+        ref_point(point, ray, (piece.begin + piece.end) / 2);
+        sample_between(sample, &of, mode, point, level, rounded);
+        ref_weigh(sample, &of.volume, mode, (piece.end - piece.begin) * step);
+        ref_under(pixel->rgba, sample);
+    }
+}
+
+static void march(ref_pixel *pixel, const qv_scene *scene, ref_mode mode, const ref_ray *ray,
+                  bool rounded)
+{
+    for (int channel = 0; channel < 4; channel++) {
+        pixel->rgba[channel] = 0;
+    }
+    if (ref_is_by_length(mode)) {
+        march_pieces(pixel, scene, mode, ray, rounded);
+    } else {
+        march_samples(pixel, scene, mode, ray, rounded);
+    }
+    pixel->opacity = pixel->rgba[3];
+    add_background(pixel->rgba, scene->background);
 }
 
 void ref_render(ref_pixel *pixel, const qv_scene *scene, ref_mode mode, int32_t x, int32_t y)

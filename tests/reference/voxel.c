@@ -28,25 +28,38 @@ static void read_rgba16(double rgba[4], const unsigned char *entry)
     }
 }
 
+bool ref_is_wide(uint8_t storage)
+{
+    return storage == QV_STORAGE_RGBA16 || storage == QV_STORAGE_INDEXED8_16 ||
+           storage == QV_STORAGE_RGBT16 || storage == QV_STORAGE_INDEXED8_T16;
+}
+
+bool ref_is_indexed(uint8_t storage)
+{
+    return storage == QV_STORAGE_INDEXED8 || storage == QV_STORAGE_INDEXED8_16 ||
+           storage == QV_STORAGE_INDEXED8_T8 || storage == QV_STORAGE_INDEXED8_T16;
+}
+
+bool ref_holds_extinction(uint8_t storage)
+{
+    return storage == QV_STORAGE_RGBT8 || storage == QV_STORAGE_RGBT16 ||
+           storage == QV_STORAGE_INDEXED8_T8 || storage == QV_STORAGE_INDEXED8_T16;
+}
+
 void ref_voxel(double rgba[4], const qv_volume *volume, const int32_t at[3])
 {
     ptrdiff_t offset = 0;
     for (int axis = 0; axis < 3; axis++) {
         offset += (ptrdiff_t)at[axis] * volume->stride[axis];
     }
-    const unsigned char *voxel = volume->voxels + offset;
-    switch (volume->storage) {
-    case QV_STORAGE_RGBA8:
-        read_rgba8(rgba, voxel);
-        break;
-    case QV_STORAGE_RGBA16:
-        read_rgba16(rgba, voxel);
-        break;
-    case QV_STORAGE_INDEXED8:
-        read_rgba8(rgba, volume->palette + 4 * *voxel);
-        break;
-    default:
-        read_rgba16(rgba, volume->palette + 8 * *voxel);
-        break;
+    const unsigned char *entry = volume->voxels + offset;
+    const bool wide = ref_is_wide(volume->storage);
+    if (ref_is_indexed(volume->storage)) {
+        entry = volume->palette + (wide ? 8 : 4) * *entry;
+    }
+    if (wide) {
+        read_rgba16(rgba, entry);
+    } else {
+        read_rgba8(rgba, entry);
     }
 }
