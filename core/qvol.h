@@ -606,25 +606,36 @@ typedef struct qv_entries {
 } qv_entries;
 
 /*
- * Converts entries: opacity to extinction, the reverse, to another unit distance or
- * extinction, and between 8 and 16 bits a channel. `like` tells what to make: its
- * storage, unit_distance and extinction; its entries and count are not read. bytes
- * is the memory at `to`, which needs no alignment and may be the source itself where
- * the storage keeps its width. Colours are rounded to nearest. The fourth channel is
- * within .51 of its last place of real arithmetic; extinction beyond the full value
- * becomes the full value, opacity 0 stays 0, full opacity becomes the full value.
- * Returns QV_OK or QV_ERROR_NULL, _STORAGE, _STRIDE (16-bit source at an odd address),
- * _UNIT (unit distance 0), _EXTINCTION (0), _BUFFER.
+ * Conversions of entries, also between 8 and 16 bits a channel: from opacity to
+ * extinction and back, to another unit distance, and to another extinction of the full
+ * value. The storage to make, and the unit distance or extinction that it is to have,
+ * stand before the source. bytes is the memory at `to`, which needs no alignment and
+ * may be the source itself unless 8 bits become 16.
+ * Colours are rounded to nearest. The fourth channel is within .51 of its last place of
+ * what real arithmetic makes of the stored value; where that is an opacity, of a depth
+ * that differs from its own by at most 2^-27. 0 stays 0. Extinction beyond the full
+ * value becomes the full value; full opacity has its depth of 64, but stays full opacity
+ * for another unit distance.
+ * Each links only what it needs. Return QV_OK or QV_ERROR_NULL, _STORAGE (one of the two
+ * is not of the kind in the name), _STRIDE (16-bit source at an odd address), _UNIT (0),
+ * _EXTINCTION (0), _BUFFER.
  */
-qv_status qv_convert(void *to, size_t bytes, const qv_entries *like, const qv_entries *from);
+qv_status qv_opacity_to_extinction(void *to, size_t bytes, uint8_t storage, uint32_t extinction,
+                                   const qv_entries *from);
+qv_status qv_extinction_to_opacity(void *to, size_t bytes, uint8_t storage, uint32_t unit_distance,
+                                   const qv_entries *from);
+qv_status qv_opacity_to_opacity(void *to, size_t bytes, uint8_t storage, uint32_t unit_distance,
+                                const qv_entries *from);
+qv_status qv_extinction_to_extinction(void *to, size_t bytes, uint8_t storage, uint32_t extinction,
+                                      const qv_entries *from);
 
 /*
- * The least extinction of the full value, Q16.16, 1 or more, with which qv_convert
- * holds all entries but those of full opacity, and these where their depth of 64 is
- * no more than `most` (Q16.16, 0: 64 for the unit distance). Returns QV_OK or
- * QV_ERROR_NULL, _STORAGE (not RGBA8 or RGBA16), _STRIDE, _UNIT.
+ * The least extinction of the full value, Q16.16, that holds every entry; 1 or more, and
+ * at most 2^32 - 1, even where that is too little. Full opacity counts as `opaque`,
+ * Q16.16 too; 0 stands for its depth of 64, which leaves few of 8 bits for the rest.
+ * Returns QV_OK or QV_ERROR_NULL, _STORAGE (not RGBA8 or RGBA16), _STRIDE, _UNIT.
  */
-qv_status qv_extinction_of(uint32_t *extinction, const qv_entries *from, uint32_t most);
+qv_status qv_extinction_of(uint32_t *extinction, const qv_entries *from, uint32_t opaque);
 
 /*
  * A medium of several materials (Kraus and Buerger 2008, section 3.1): a point holds
@@ -663,8 +674,11 @@ uint64_t qv_pyramid_bytes(const uint16_t size[3], uint8_t storage, uint8_t level
 /*
  * Describes a level as a volume of its own, level 0 being the volume itself: spacing
  * times 2^level; unit distance and extinction are per world unit and stay. Its box is
- * its voxels' and so may be longer than the volume's by less than a voxel. Returns
- * QV_OK or an error of qv_volume_check, QV_ERROR_LEVEL, _BUFFER (pyramid too small).
+ * its voxels' and so may be longer than the volume's by less than a voxel. Where the
+ * spacing passes 256, only qv_downsample takes the level, which reads no spacing; 65536
+ * and more become 2^32 - 1. Only levels 1 and up need a pyramid. Returns QV_OK or an
+ * error of qv_volume_check, QV_ERROR_LEVEL, _STRIDE (16-bit levels at an odd address),
+ * _BUFFER (pyramid too small, or beyond what offsets reach).
  */
 qv_status qv_pyramid_level(qv_volume *level, const qv_volume *volume, const qv_pyramid *pyramid,
                            uint8_t number);
@@ -686,6 +700,7 @@ extern const qv_filter qv_filter_quad4; /* 13 19 19 13 by 64: best for B-splines
 typedef struct qv_domain {
     uint32_t (*weight)(uint32_t channel, uint8_t storage);
     uint32_t (*channel)(uint32_t weight, uint8_t storage);
+    uint8_t of_opacity; /* 1: stored extinction is refused */
 } qv_domain;
 
 extern const qv_domain qv_domain_stored, qv_domain_extinction;
@@ -696,21 +711,27 @@ extern const qv_domain qv_domain_stored, qv_domain_extinction;
  * at `voxels`, which needs no alignment and must not overlap the finer level. Voxel i
  * has its taps at 2i-1 .. 2i+2; beyond a face the volume is mirrored in it (-1 is 0, n
  * is n-1). The fourth channel is averaged in the domain, colours weighted by it; sums
- * are exact, and each channel is rounded once, to nearest. A voxel without opacity is
- * black. Works in a few dozen words, whatever the size.
- * Returns QV_OK or an error of qv_volume_check, or QV_ERROR_SIZE (slices), _BUFFER,
- * _LEVEL (finer has one voxel), _MIXTURE (a filter that does not sum to 1), _STORAGE
- * (qv_domain_extinction of stored extinction: take qv_domain_stored).
+ * are exact, and each channel is rounded once, to nearest. With qv_domain_extinction,
+ * besides, an extinction is off by up to .61 * 2^-24: the fourth channel is within .51 of its
+ * last place of real arithmetic, colours of 8 bits are too, and colours of 16 bits within .5 +
+ * .0009 / (least opacity under the filter that is not 0), at most .51 once weighted by opacity.
+ * Where the fourth channel comes out as 0, the voxel is black. Works in a few dozen words,
+ * whatever the size.
+ * Returns QV_OK or an error of qv_volume_check (spacing is not read), or QV_ERROR_SIZE
+ * (slices), _BUFFER, _LEVEL (finer has one voxel), _MIXTURE (a filter that does not sum
+ * to 1), _STORAGE (qv_domain_extinction of stored extinction: take qv_domain_stored).
  */
 qv_status qv_downsample(void *voxels, size_t bytes, const qv_volume *finer, const qv_filter *filter,
                         const qv_domain *domain, uint16_t first_z, uint16_t end_z);
 
 /*
- * Sets scene->level and level_distance so that a pixel is no wider than a voxel of the
- * level that it sees, by the volume's least spacing and the view's pitch: log2(pitch /
- * spacing) for orthographic cameras, to 1/256; in perspective the distance from which
- * on the level rises. Clamped to the pyramid's levels. The scene's volume, camera and
- * pyramid must be set. Returns QV_OK or QV_ERROR_NULL, _VIEW, _SPACING.
+ * Sets scene->level and level_distance so that a pixel is as wide as a voxel of the level
+ * that it sees, by the volume's least spacing and the view's pitch. Orthographic: the level
+ * is log2(pitch / spacing), to 1/256, at least 0 and at most the pyramid's last; the
+ * distance is 0. Perspective: level 0, and the distance at which a pixel is as wide as the
+ * spacing, in whole steps, cut, but at least 1. The scene's volume, camera (that of the
+ * view) and pyramid must be set. Returns QV_OK or QV_ERROR_NULL, _VIEW, _STEP, _SPACING,
+ * _CAMERA.
  */
 qv_status qv_detail(qv_scene *scene, const qv_view *view);
 

@@ -36,6 +36,12 @@ FX_INLINE unsigned qv_voxel_bytes(unsigned storage)
     return qv_storage_indexed(storage) ? 1u : qv_entry_bytes(storage);
 }
 
+/* The storage of entries by themselves, without a palette. */
+FX_INLINE unsigned qv_entry_storage(unsigned storage)
+{
+    return qv_storage_indexed(storage) ? storage - 2u : storage;
+}
+
 FX_INLINE unsigned qv_voxel_alignment(unsigned storage)
 {
     return (storage & 3u) == QV_STORAGE_RGBA16 ? 2u : 1u;

@@ -1,0 +1,23 @@
+/*
+ * pyramid.h - where the levels of a pyramid lie.
+ */
+#ifndef QV_PYRAMID_H
+#define QV_PYRAMID_H
+
+#include "qvol.h"
+
+/* Voxels on an axis of the next coarser level: half of them, rounded up. */
+static inline uint16_t qv_coarser_size(uint16_t size)
+{
+    return (uint16_t)((size + 1u) >> 1);
+}
+
+/* Whether a checked volume can have this pyramid. QV_OK, QV_ERROR_LEVEL (also without
+   a pyramid), _NULL, _STRIDE, _BUFFER. */
+qv_status qv_pyramid_check(const qv_volume *volume, const qv_pyramid *pyramid);
+
+/* Describes a level, 1 .. pyramid->levels, of a volume and pyramid that were checked. */
+void qv_pyramid_describe(qv_volume *level, const qv_volume *volume, const qv_pyramid *pyramid,
+                         uint8_t number);
+
+#endif /* QV_PYRAMID_H */
