@@ -7,6 +7,13 @@
 
 static const double pi = 3.14159265358979323846;
 
+/* From where scenes are drawn. */
+typedef struct ranges {
+    double least_spacing, most_spacing;
+    double most_step;       /* world units; the least is 1/16 */
+    const uint8_t *filling; /* 8 kinds, equally likely */
+} ranges;
+
 /* ---- The view ----------------------------------------------------------- */
 
 static uint32_t to_q16(double value)
@@ -32,7 +39,8 @@ static double diagonal(const qv_volume *volume)
 }
 
 /* The same view twice: as the library takes it and in real numbers. */
-static void draw_view(qv_view *view, ref_view *real, const qv_volume *volume, draws *random)
+static void draw_view(qv_view *view, ref_view *real, const qv_volume *volume, double most_step,
+                      draws *random)
 {
     const qv_angle azimuth = draw_angle(random);
     const qv_angle elevation = draw_angle(random);
@@ -41,7 +49,7 @@ static void draw_view(qv_view *view, ref_view *real, const qv_volume *volume, dr
     view->width = (uint16_t)(shortest + draw_below(random, longest - shortest));
     view->height = (uint16_t)(shortest + draw_below(random, longest - shortest));
     view->pitch = to_q16(diagonal(volume) / longest * draw_real(random, 0.3, 0.9));
-    view->step = to_q16(draw_scale(random, 1.0 / 16, 4));
+    view->step = to_q16(draw_scale(random, 1.0 / 16, most_step));
     qv_rotation(view->rotation, azimuth, elevation, roll);
     ref_rotation(real->rotation, azimuth, elevation, roll);
     real->pitch = view->pitch / 65536.0;
@@ -50,11 +58,11 @@ static void draw_view(qv_view *view, ref_view *real, const qv_volume *volume, dr
     real->height = view->height;
 }
 
-static qv_status draw_camera(seeded_scene *made, draws *random)
+static qv_status draw_camera(seeded_scene *made, double most_step, draws *random)
 {
     qv_camera *camera = &made->scene.camera;
     qv_view view;
-    draw_view(&view, &made->view, &made->scene.volume, random);
+    draw_view(&view, &made->view, &made->scene.volume, most_step, random);
     if (draw_once_in(random, 2)) {
         made->view.field_of_view = 0;
         return qv_orthographic(camera, &made->scene.volume, &view);
@@ -76,21 +84,21 @@ static void draw_background(uint8_t background[4], draws *random)
 
 /* ---- The volume's shape ------------------------------------------------- */
 
-static void draw_size(qv_volume *volume, draws *random)
+static void draw_size(qv_volume *volume, const ranges *of, draws *random)
 {
     const bool cubic = draw_once_in(random, 3), flat = draw_once_in(random, 5);
     const uint32_t thin = draw_below(random, 3);
     for (uint32_t axis = 0; axis < 3; axis++) {
         const uint32_t size = 2 + draw_below(random, SEEDED_LONGEST_AXIS - 1);
-        const double spacing = draw_scale(random, 0.4, 2.5);
+        const double spacing = draw_scale(random, of->least_spacing, of->most_spacing);
         volume->size[axis] = (uint16_t)(flat && axis == thin ? 1 : size);
         volume->spacing[axis] = cubic ? QV_ONE_Q16 : to_q16(spacing);
     }
 }
 
-static uint32_t voxel_bytes(qv_storage storage)
+static uint32_t voxel_bytes(uint8_t storage)
 {
-    return storage == QV_STORAGE_RGBA16 ? 8 : storage == QV_STORAGE_RGBA8 ? 4 : 1;
+    return ref_is_indexed(storage) ? 1 : ref_is_wide(storage) ? 8 : 4;
 }
 
 /*
@@ -99,7 +107,7 @@ static uint32_t voxel_bytes(qv_storage storage)
  */
 static size_t draw_strides(qv_volume *volume, draws *random)
 {
-    uint32_t order[3] = {0, 1, 2}, extent = voxel_bytes((qv_storage)volume->storage);
+    uint32_t order[3] = {0, 1, 2}, extent = voxel_bytes(volume->storage);
     size_t first = 0;
     for (uint32_t level = 0; level < 3; level++) {
         const uint32_t pick = level + draw_below(random, 3 - level);
@@ -123,7 +131,7 @@ typedef struct wave {
     double phase;
 } wave;
 
-typedef enum filling_kind { NOISE, WAVES, SPARSE, CONSTANT, FILLINGS } filling_kind;
+typedef enum filling_kind { NOISE, WAVES, SPARSE, CONSTANT, WALLS, FILLINGS } filling_kind;
 
 typedef struct filling {
     filling_kind kind;
@@ -132,13 +140,19 @@ typedef struct filling {
     wave waves[4];
 } filling;
 
-static const char *const filling_names[FILLINGS] = {"noise", "waves", "sparse", "constant"};
+static const char *const filling_names[FILLINGS] = {"noise", "waves", "sparse", "constant",
+                                                    "walls"};
 
-static void draw_filling(filling *drawn, draws *random)
+static const uint8_t without_lengths[8] = {NOISE, NOISE, NOISE,  WAVES,
+                                           WAVES, WAVES, SPARSE, CONSTANT};
+static const uint8_t with_lengths[8] = {NOISE, NOISE, WAVES, WAVES, WAVES, SPARSE, CONSTANT, WALLS};
+
+static const ranges by_step = {0.4, 2.5, 4, without_lengths};
+static const ranges by_length = {0.5, 2, 16, with_lengths};
+
+static void draw_filling(filling *drawn, const uint8_t kinds[8], draws *random)
 {
-    static const filling_kind kinds[8] = {NOISE, NOISE, NOISE,  WAVES,
-                                          WAVES, WAVES, SPARSE, CONSTANT};
-    drawn->kind = kinds[draw_below(random, 8)];
+    drawn->kind = (filling_kind)kinds[draw_below(random, 8)];
     drawn->thinning = draw_below(random, 7);
     for (int channel = 0; channel < 4; channel++) {
         drawn->constant[channel] = (uint16_t)(0x4000u | draw_bits(random)); /* never empty */
@@ -166,9 +180,12 @@ static void draw_colour(uint16_t rgba[4], const filling *from, const int32_t at[
                                                  : noise;
     }
     rgba[3] = (uint16_t)(rgba[3] >> from->thinning);
-    const bool empty = from->kind == SPARSE && !draw_once_in(random, 8);
+    const bool thin = from->kind == SPARSE || from->kind == WALLS;
+    const bool empty = thin && !draw_once_in(random, 8);
     if (empty) {
         rgba[3] = 0;
+    } else if (from->kind == WALLS) {
+        rgba[3] = UINT16_MAX;
     }
 }
 
@@ -184,14 +201,14 @@ static void store16(unsigned char *bytes, const uint16_t rgba[4])
     memcpy(bytes, rgba, 8);
 }
 
-static void store_voxel(unsigned char *voxel, qv_storage storage, const uint16_t rgba[4])
+static void store_voxel(unsigned char *voxel, uint8_t storage, const uint16_t rgba[4])
 {
-    if (storage == QV_STORAGE_RGBA8) {
-        store8(voxel, rgba);
-    } else if (storage == QV_STORAGE_RGBA16) {
+    if (ref_is_indexed(storage)) {
+        *voxel = (unsigned char)(rgba[0] >> 8);
+    } else if (ref_is_wide(storage)) {
         store16(voxel, rgba);
     } else {
-        *voxel = (unsigned char)(rgba[0] >> 8);
+        store8(voxel, rgba);
     }
 }
 
@@ -207,7 +224,7 @@ static void fill_voxels(unsigned char *origin, const qv_volume *volume, const fi
                                          (ptrdiff_t)at[1] * volume->stride[1] +
                                          (ptrdiff_t)at[2] * volume->stride[2];
                 draw_colour(rgba, from, at, random);
-                store_voxel(origin + offset, (qv_storage)volume->storage, rgba);
+                store_voxel(origin + offset, volume->storage, rgba);
             }
         }
     }
@@ -215,7 +232,7 @@ static void fill_voxels(unsigned char *origin, const qv_volume *volume, const fi
 
 static void fill_palette(seeded_scene *made, const filling *from, draws *random)
 {
-    const bool wide = made->scene.volume.storage == QV_STORAGE_INDEXED8_16;
+    const bool wide = ref_is_wide(made->scene.volume.storage);
     for (int32_t entry = 0; entry < QV_PALETTE_ENTRIES; entry++) {
         const int32_t at[3] = {entry, 0, 0};
         uint16_t rgba[4];
@@ -232,36 +249,89 @@ static void fill_palette(seeded_scene *made, const filling *from, draws *random)
 
 /* ---- All together ------------------------------------------------------- */
 
-qv_status seeded_make(seeded_scene *made, uint32_t seed, qv_storage storage)
+static qv_status make(seeded_scene *made, draws *random, qv_storage storage, const ranges *of)
 {
-    draws random = draw_seeded(seed);
     qv_volume *volume = &made->scene.volume;
     filling from;
     memset(made, 0, sizeof *made);
-    draw_size(volume, &random);
-    draw_background(made->scene.background, &random);
-    const uint16_t phase = (uint16_t)draw_bits(&random);
-    made->scene.phase = draw_once_in(&random, 3) ? 0 : phase;
-    const qv_status status = draw_camera(made, &random);
+    draw_size(volume, of, random);
+    draw_background(made->scene.background, random);
+    const uint16_t phase = (uint16_t)draw_bits(random);
+    made->scene.phase = draw_once_in(random, 3) ? 0 : phase;
+    const qv_status status = draw_camera(made, of->most_step, random);
     volume->storage = (uint8_t)storage;
-    const size_t first = draw_strides(volume, &random);
+    const size_t first = draw_strides(volume, random);
     made->memory = malloc((size_t)volume->voxels_bytes);
     if (made->memory == NULL) {
         return QV_ERROR_NULL;
     }
     memset(made->memory, 0xff, (size_t)volume->voxels_bytes); /* gaps must not be read */
     volume->voxels = made->memory + first;
-    draw_filling(&from, &random);
+    draw_filling(&from, of->filling, random);
     made->filling = filling_names[from.kind];
-    fill_voxels(made->memory + first, volume, &from, &random);
-    if (storage == QV_STORAGE_INDEXED8 || storage == QV_STORAGE_INDEXED8_16) {
-        fill_palette(made, &from, &random);
+    fill_voxels(made->memory + first, volume, &from, random);
+    if (ref_is_indexed(volume->storage)) {
+        fill_palette(made, &from, random);
     }
     return status;
+}
+
+qv_status seeded_make(seeded_scene *made, uint32_t seed, qv_storage storage)
+{
+    draws random = draw_seeded(seed);
+    return make(made, &random, storage, &by_step);
+}
+
+qv_status seeded_make_by_length(seeded_scene *made, uint32_t seed, qv_storage storage)
+{
+    draws random = draw_seeded(seed);
+    const double ratio = draw_scale(&random, 1.0 / 16, 16);
+    const double depth = draw_scale(&random, 1.0 / 16, SEEDED_MOST_EXTINCTION);
+    const bool same = draw_once_in(&random, 4), named = draw_once_in(&random, 2);
+    const qv_status status = make(made, &random, storage, &by_length);
+    qv_volume *volume = &made->scene.volume;
+    volume->unit_distance = to_q16((same ? 1 : ratio) * made->view.step);
+    if (same && !named) {
+        volume->unit_distance = 0; /* the step too */
+    }
+    volume->extinction = to_q16(depth);
+    return status;
+}
+
+/* ---- Coarser levels, filled like volumes rather than made from them --------- */
+
+qv_status seeded_add_pyramid(seeded_scene *made, uint32_t seed)
+{
+    draws random = draw_seeded(~seed); /* apart from the draws of the volume */
+    qv_pyramid *pyramid = &made->pyramid;
+    qv_volume level = made->scene.volume;
+    filling from;
+    made->scene.pyramid = pyramid;
+    while (level.size[0] > 1 || level.size[1] > 1 || level.size[2] > 1) {
+        ref_pyramid_level(&level, &made->scene, ++pyramid->levels);
+        pyramid->bytes += level.voxels_bytes;
+    }
+    made->coarser = malloc((size_t)pyramid->bytes + 1); /* a volume of one voxel has none */
+    if (made->coarser == NULL) {
+        return QV_ERROR_NULL;
+    }
+    pyramid->voxels = made->coarser;
+    draw_filling(&from, with_lengths, &random);
+    unsigned char *next = made->coarser;
+    for (int number = 1; number <= pyramid->levels; number++) {
+        ref_pyramid_level(&level, &made->scene, number);
+        fill_voxels(next, &level, &from, &random);
+        next += level.voxels_bytes;
+    }
+    const uint32_t between = draw_below(&random, pyramid->levels * 256u + 1);
+    made->scene.level = (uint16_t)(draw_once_in(&random, 3) ? between & 0xff00u : between);
+    return QV_OK;
 }
 
 void seeded_free(seeded_scene *made)
 {
     free(made->memory);
+    free(made->coarser);
     made->memory = NULL;
+    made->coarser = NULL;
 }
