@@ -1,9 +1,9 @@
 #include "qvol.h"
 
-#include "fx_unorm.h"
 #include "fx_wide.h"
 #include "layout.h"
 #include "access.h"
+#include "entry.h"
 #include "scalars.h"
 #include "shade.h"
 #include "storage.h"
@@ -56,17 +56,6 @@ static void colour(uint16_t rgba[4], const pass *p, qv_address at, const uint16_
     }
 }
 
-/* Stores one voxel; the output needs no alignment. */
-static void store(uint8_t *voxel, uint8_t storage, const uint16_t rgba[4])
-{
-    if (storage == QV_STORAGE_RGBA16) {
-        memcpy(voxel, rgba, 4 * sizeof rgba[0]);
-        return;
-    }
-    for (unsigned channel = 0; channel < 4; channel++)
-        voxel[channel] = fx_unorm16_to_unorm8(rgba[channel]);
-}
-
 static void classify_voxel(uint8_t *voxel, const pass *p, const uint16_t position[3])
 {
     qv_address at = qv_scalars_at(p->scalars, position);
@@ -76,7 +65,7 @@ static void classify_voxel(uint8_t *voxel, const pass *p, const uint16_t positio
     } else {
         uint16_t rgba[4];
         colour(rgba, p, at, position, index);
-        store(voxel, p->storage, rgba);
+        qv_entry_write(voxel, p->storage, rgba);
     }
 }
 

@@ -17,9 +17,7 @@ fx_unorm16 fx_correct_opacity(fx_unorm16 opacity, uint32_t ratio)
 {
     if (opacity == 65535u)
         return opacity;
-    uint32_t left = fx_opacity(fx_depth_scale(fx_depth_of_unorm16(opacity), ratio));
-    left -= left >> 16; /* times 65535/65536 */
-    return (fx_unorm16)((left + 0x4000u) >> 15);
+    return fx_unorm16_of_q31(fx_opacity(fx_depth_scale(fx_depth_of_unorm16(opacity), ratio)));
 }
 
 /* opacity = x ln 2 phi(x) for the depth x, so the factor is ratio * phi(ratio * x) /

@@ -64,4 +64,10 @@ static inline fx_unorm8 fx_unorm16_to_unorm8(fx_unorm16 a)
     return (fx_unorm8)(((uint32_t)a * 255u + 32895u) >> 16);
 }
 
+/* v * 65535 / 2^31 for v <= 2^31, to nearest but for 2^-15 of the last place. */
+static inline fx_unorm16 fx_unorm16_of_q31(uint32_t v)
+{
+    return (fx_unorm16)((v - (v >> 16) + 0x4000u) >> 15);
+}
+
 #endif /* FX_UNORM_H */

@@ -53,3 +53,25 @@ uint64_t fx_divide(uint64_t n, uint32_t d)
     }
     return n;
 }
+
+uint16_t fx_quotient16(uint64_t n, uint64_t d)
+{
+    uint64_t rest = n + (d >> 1);
+    if (rest >> 16 >= d)
+        return 65535u;
+    unsigned bits = 0;
+    while (d <= rest >> 1) {
+        d <<= 1; /* <= rest */
+        bits++;
+    }
+    uint32_t quotient = 0;
+    for (unsigned i = 0; i <= bits; i++) {
+        quotient <<= 1;
+        if (rest >= d) {
+            rest -= d;
+            quotient |= 1u;
+        }
+        d >>= 1;
+    }
+    return (uint16_t)quotient;
+}

@@ -72,4 +72,8 @@ int64_t fx_scale_q30(int64_t v, int32_t factor);
 /* floor(n / d) by shift and subtract, for set-up; 0 < d < 2^31. */
 uint64_t fx_divide(uint64_t n, uint32_t d);
 
+/* round(n / d), ties upwards, but at most 65535, also for d = 0. In as many steps as the
+   result has bits. n + d / 2 < 2^64. */
+uint16_t fx_quotient16(uint64_t n, uint64_t d);
+
 #endif /* FX_WIDE_H */
