@@ -1,10 +1,13 @@
 #include "qvol.h"
 
-/* The channel itself, 8 or 16 bits. */
-static uint32_t same(uint32_t channel, uint8_t storage)
+static uint32_t weight(uint16_t channel)
 {
-    (void)storage;
     return channel;
 }
 
-const qv_domain qv_domain_stored = {same, same, 0};
+static uint16_t channel(uint32_t weight_of_mean)
+{
+    return (uint16_t)weight_of_mean;
+}
+
+const qv_domain qv_domain_stored = {weight, channel, 0};

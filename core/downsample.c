@@ -2,6 +2,7 @@
 
 #include "fx_wide.h"
 #include "cell.h"
+#include "entry.h"
 
 const qv_filter qv_filter_box2 = {0, 32};
 const qv_filter qv_filter_box4 = {16, 16};
@@ -14,7 +15,7 @@ const qv_filter qv_filter_quad4 = {13, 19};
 
 /*
  * Sums over voxels, each times its share of the filter. A weight is at most 2^30 and a
- * colour at most 65535, so shares of f in all give weight <= 2^30 f and light <= 65535 *
+ * colour, whatever it is stored in, has 16 bits; so shares of f in all give weight <= 2^30 f and light <= 65535 *
  * 2^30 f. A column of voxels has f = 2^12, which keeps light below 2^58; a result has
  * f = 2^18, which keeps it below 2^64.
  */
@@ -54,16 +55,16 @@ static qv_offset tap_offset(const qv_volume *finer, unsigned axis, uint32_t at, 
 /* Where the fourth channel is 0, the weight is 0 in every domain. */
 static void add_voxel(sums *to, const row *r, qv_offset offset)
 {
+    fx_unorm16 entry[4];
     const qv_volume *finer = r->finer;
-    uint8_t storage = finer->storage;
-    qv_address entry = qv_entry(qv_at(finer->voxels, offset), finer, storage);
-    uint32_t fourth = fx_channel_bits(qv_channel(entry, 3, storage));
-    if (fourth == 0)
+    qv_address voxel = qv_at(finer->voxels, offset);
+    qv_entry_read(entry, qv_entry(voxel, finer, finer->storage), finer->storage);
+    if (entry[3] == 0)
         return;
-    uint32_t weight = r->domain->weight(fourth, storage);
+    uint32_t weight = r->domain->weight(entry[3]);
     to->weight += weight;
     for (unsigned c = 0; c < 3; c++)
-        to->light[c] += fx_wide_product(weight, fx_channel_bits(qv_channel(entry, c, storage)));
+        to->light[c] += fx_wide_product(weight, entry[c]);
 }
 
 /* v * share, for the parts of a column and of a result: below 32 * 2^58 = 2^63. */
@@ -103,47 +104,14 @@ static void sum_column(sums *to, const row *r, uint32_t at, uint32_t tap)
     weigh(to, part, r->share, GROUPS);
 }
 
-/*
- * round(light / weight), ties upwards, for light <= (2^bits - 1) * weight: a quotient of
- * 8 or 16 bits by shift and subtract. weight is 1 .. 2^48: neither its multiple by 2^15
- * nor light with half of it, 65535 * 2^48 + 2^47, passes 2^64.
- */
-static uint16_t quotient(uint64_t light, uint64_t weight, unsigned bits)
+/* A result from its sums; black where nothing has weight. light + weight / 2 is at most
+   65535 * 2^48 + 2^47. */
+static void resolve(fx_unorm16 entry[4], const sums *all, const qv_domain *domain)
 {
-    uint64_t rest = light + (weight >> 1);
-    uint64_t multiple = weight << (bits - 1u);
-    uint32_t result = 0;
-    for (; bits != 0; bits--, multiple >>= 1) {
-        result <<= 1;
-        if (rest >= multiple) {
-            rest -= multiple;
-            result |= 1u;
-        }
-    }
-    return (uint16_t)result;
-}
-
-/* The channels of a result; all 0 where the fourth is. */
-static void resolve(uint16_t channel[4], const sums *all, const row *r)
-{
-    uint8_t storage = r->finer->storage;
-    uint32_t mean = (uint32_t)((all->weight + ((uint64_t)1 << (FILTER_BITS - 1u))) >> FILTER_BITS);
-    channel[3] = (uint16_t)r->domain->channel(mean, storage);
+    uint64_t half = (uint64_t)1 << (FILTER_BITS - 1u);
+    entry[3] = domain->channel((uint32_t)((all->weight + half) >> FILTER_BITS));
     for (unsigned c = 0; c < 3; c++)
-        channel[c] = channel[3] == 0
-                         ? 0
-                         : quotient(all->light[c], all->weight, 8u * qv_channel_bytes(storage));
-}
-
-/* Stores a voxel; the output needs no alignment. */
-static void store(uint8_t *at, const uint16_t channel[4], unsigned storage)
-{
-    if (qv_channel_bytes(storage) == 1) {
-        for (unsigned c = 0; c < 4; c++)
-            at[c] = (uint8_t)channel[c];
-    } else {
-        memcpy(at, channel, 4u * sizeof channel[0]);
-    }
+        entry[c] = all->weight == 0 ? 0 : fx_quotient16(all->light[c], all->weight);
 }
 
 /* A window of four columns moves along the row, two further from each result to the next. */
@@ -156,14 +124,14 @@ static void make_row(uint8_t *out, const row *r)
     sum_column(&column[3], r, 0, 1);
     for (uint32_t at = 0; at < width; at++) {
         sums all;
-        uint16_t channel[4];
+        fx_unorm16 entry[4];
         column[0] = column[2];
         column[1] = column[3];
         sum_column(&column[2], r, at, 2);
         sum_column(&column[3], r, at, 3);
         weigh(&all, column, r->tap, TAPS);
-        resolve(channel, &all, r);
-        store(out, channel, storage);
+        resolve(entry, &all, r->domain);
+        qv_entry_write(out, storage, entry);
         out += qv_entry_bytes(storage);
     }
 }

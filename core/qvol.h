@@ -698,9 +698,9 @@ extern const qv_filter qv_filter_quad4; /* 13 19 19 13 by 64: best for B-splines
  * library's own.
  */
 typedef struct qv_domain {
-    uint32_t (*weight)(uint32_t channel, uint8_t storage);
-    uint32_t (*channel)(uint32_t weight, uint8_t storage);
-    uint8_t of_opacity; /* 1: stored extinction is refused */
+    uint32_t (*weight)(uint16_t channel); /* 0 for 0 only; at most 2^30 */
+    uint16_t (*channel)(uint32_t weight); /* the reverse */
+    uint8_t of_opacity;                   /* 1: stored extinction is refused */
 } qv_domain;
 
 extern const qv_domain qv_domain_stored, qv_domain_extinction;
@@ -715,7 +715,7 @@ extern const qv_domain qv_domain_stored, qv_domain_extinction;
  * besides, an extinction is off by up to .61 * 2^-24: the fourth channel is within .51 of its
  * last place of real arithmetic, colours of 8 bits are too, and colours of 16 bits within .5 +
  * .0009 / (least opacity under the filter that is not 0), at most .51 once weighted by opacity.
- * Where the fourth channel comes out as 0, the voxel is black. Works in a few dozen words,
+ * Where all voxels under the filter have 0, the result is black. Works in a few dozen words,
  * whatever the size.
  * Returns QV_OK or an error of qv_volume_check (spacing is not read), or QV_ERROR_SIZE
  * (slices), _BUFFER, _LEVEL (finer has one voxel), _MIXTURE (a filter that does not sum
