@@ -91,15 +91,19 @@ size: ## bytes of code, tables and stack on a Cortex-M0, by function
 bench: $(QVOL) ## instructions per sample on the devices, samples per second on the host
 	tests/bench/bench.sh
 
-# ---- The two commands ---------------------------------------------------------
+# ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo test test-exhaustive
-setup: ## install what demo and test need (Debian, as root)
+.PHONY: setup demo papers test test-exhaustive
+setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
 demo: setup ## pictures of a real MRI, and of a microcontroller drawing it: build/demo/
 	@$(MAKE) -s --no-print-directory all
 	@toolchain/demo
+
+papers: setup ## figures and numbers of the papers, recomputed: build/papers/
+	@$(MAKE) -s --no-print-directory paper-programs
+	@tests/papers/papers.sh
 
 test: setup ## everything that is tested; ends with "N passed, N failed"
 	@$(MAKE) --no-print-directory test-all

@@ -60,6 +60,20 @@ $(TABLE_GENERATOR): $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/tables/*.c))
 	@echo "  LD  $@"
 	@$(CC) $(CFLAGS) $^ -lmpfr -lgmp -o $@
 
+# The papers' figures: a program for each paper, of a folder of its own and what all share.
+PAPER_PROGRAMS := $(TEST_OUT)/papers/wittenbrink
+paper_objects = $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/papers/*.c tests/papers/$(1)/*.c))
+
+.PHONY: paper-programs
+paper-programs: $(PAPER_PROGRAMS)
+
+$(TEST_OUT)/papers/wittenbrink: $(call paper_objects,wittenbrink)
+
+$(PAPER_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
+	@mkdir -p $(@D)
+	@echo "  LD  $@"
+	@$(CC) $(CFLAGS) $(filter %.o,$^) $(LIBRARY) -lm -o $@
+
 TEST_OPTIONS := $(call remember,$(TEST_OUT)/options,$(CC) $(TEST_CFLAGS) $(TEST_LIBS))
 
 $(TEST_OUT)/%.o: %.c $(TEST_OPTIONS)

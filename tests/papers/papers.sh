@@ -1,0 +1,73 @@
+#!/bin/sh
+# make papers: recomputes the papers on which the library rests. Writes pictures, plots
+# and a table to build/papers/PAPER; papers.sh PAPER... does some of them.
+set -eu
+cd "$(dirname "$0")/../.."
+: "${BUILD:=build}"
+SOURCES=tests/papers
+OUT=${PAPERS_OUT:-$BUILD/papers}
+
+# compute PAPER: runs its program, which writes OUT/PAPER/table.md and OUT/PAPER/data.
+compute() {
+    folder=$OUT/$1
+    mkdir -p "$folder/data" "$folder/pictures"
+    "$BUILD/tests/papers/$1" "$folder"
+}
+
+# plot NAME: draws with PAPER/NAME.gp.
+plot() {
+    gnuplot -c "$SOURCES/$paper/$1.gp" "$folder"
+}
+
+# sheet NAME TITLE COLUMNS [PICTURE LABEL]...: of pictures in the folder's data.
+sheet() {
+    sheet_name=$1 sheet_title=$2 sheet_columns=$3
+    shift 3
+    count=$#
+    while [ "$count" -gt 0 ]; do
+        set -- "$@" "$folder/data/$1.ppm" "$2"
+        shift 2
+        count=$((count - 2))
+    done
+    /usr/bin/python3 "$SOURCES/sheet.py" "$folder/$sheet_name.png" "$sheet_title" \
+        "$sheet_columns" "$@"
+}
+
+# ---- Wittenbrink, Malzbender, Goss 1998 ---------------------------------------
+
+# rms SCENE COLUMN: from the data of the bar chart.
+rms() {
+    awk -v scene="$1" -v column="$2" '$1 == scene { printf "%.1f", $column }' "$folder/data/rms.dat"
+}
+
+scene_sheet() { # scene_sheet SCENE TITLE
+    set -- "$1" "$2" "$(rms "$1" 2)" "$(rms "$1" 3)" "$(rms "$1" 4)" "$(rms "$1" 5)"
+    sheet "$1" "$2" 4 \
+        "$1-32-separate" "32³: separate" "$1-32-weighted" "weighted" \
+        "$1-32-difference" "difference, RMS $3" "$1-32-equalised" "difference, equalised" \
+        "$1-32-aa-separate" "32³, antialiased: separate" "$1-32-aa-weighted" "weighted" \
+        "$1-32-aa-difference" "difference, RMS $5" "$1-32-aa-equalised" "difference, equalised" \
+        "$1-128-separate" "128³: separate" "$1-128-weighted" "weighted" \
+        "$1-128-difference" "difference, RMS $4" "$1-128-equalised" "difference, equalised" \
+        "$1-128-aa-separate" "128³, antialiased: separate" "$1-128-aa-weighted" "weighted" \
+        "$1-128-aa-difference" "difference, RMS $6" "$1-128-aa-equalised" "difference, equalised"
+}
+
+wittenbrink() {
+    plot phase_curve
+    plot rms
+    scene_sheet corner "Corner (figures 10 to 12); a step of one voxel of 32³"
+    scene_sheet graze "Graze (figure 10); a step of one voxel of 32³"
+    scene_sheet phase "Phase (figure 10); a step of one voxel of 32³"
+    sheet torus "Torus, half a voxel a step (figure 8)" 3 \
+        torus-separate "colour and opacity interpolated separately" \
+        torus-weighted "opacity-weighted" torus-difference "difference"
+}
+
+[ $# -gt 0 ] || set -- wittenbrink
+for paper in "$@"; do
+    compute "$paper"
+    "$paper"
+    echo "Wrote to $folder:"
+    (cd "$folder" && printf '  %s\n' table.md ./*.png pictures/)
+done

@@ -1,0 +1,165 @@
+/*
+ * picture.c - pictures of the papers: rendered, compared and written.
+ */
+#include "paper.h"
+
+#include "pixels.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Rendering ------------------------------------------------------------ */
+
+/* A pixel format of the tests' own: every bit of the finished pixel. */
+static void store_all(uint8_t *row, uint32_t column, uint32_t line, const qv_pixel *pixel)
+{
+    (void)line;
+    memcpy(row + sizeof pixel->channel * column, pixel->channel, sizeof pixel->channel);
+}
+
+static const qv_format format_all = {store_all, 128, 0};
+
+void paper_picture_make(paper_picture *made, uint32_t width, uint32_t height)
+{
+    made->width = width;
+    made->height = height;
+    made->rgba = paper_memory((size_t)width * height, sizeof made->rgba[0]);
+}
+
+void paper_picture_free(paper_picture *made)
+{
+    free(made->rgba);
+    made->rgba = NULL;
+}
+
+static size_t pixels_of(const paper_picture *picture)
+{
+    return (size_t)picture->width * picture->height;
+}
+
+void paper_render(paper_picture *made, const qv_scene *scene, uint32_t width, uint32_t height)
+{
+    const qv_rect rect = {0, 0, (int32_t)width, (int32_t)height};
+    const double one = 255.0 * 65536;
+    uint32_t(*levels)[4] = paper_memory((size_t)width * height, sizeof levels[0]);
+    const qv_image image = {levels, (size_t)width * height * sizeof levels[0],
+                            (ptrdiff_t)(width * sizeof levels[0]), &format_all};
+    qv_context context;
+    const qv_status status = qv_init(&context, scene);
+    paper_require(status == QV_OK, qv_status_text(status));
+    paper_require(qv_render(&image, &context, &rect) == QV_OK, "cannot render");
+    paper_picture_make(made, width, height);
+    for (size_t i = 0; i < pixels_of(made); i++) {
+        for (int channel = 0; channel < 4; channel++) {
+            made->rgba[i][channel] = levels[i][channel] / one;
+        }
+    }
+    free(levels);
+}
+
+void paper_render_ray(double rgba[4], const qv_scene *scene)
+{
+    paper_picture pixel;
+    paper_render(&pixel, scene, 1, 1);
+    memcpy(rgba, pixel.rgba[0], sizeof pixel.rgba[0]);
+    paper_picture_free(&pixel);
+}
+
+static uint32_t thinned(uint32_t length)
+{
+    return (length + paper_lattice - 1) / paper_lattice;
+}
+
+void paper_render_reference(paper_picture *made, const qv_scene *scene, ref_mode mode,
+                            uint32_t width, uint32_t height)
+{
+    paper_picture_make(made, thinned(width), thinned(height));
+    for (uint32_t y = 0; y < made->height; y++) {
+        for (uint32_t x = 0; x < made->width; x++) {
+            ref_pixel pixel;
+            ref_render(&pixel, scene, mode, (int32_t)(x * paper_lattice),
+                       (int32_t)(y * paper_lattice));
+            memcpy(made->rgba[x + (size_t)y * made->width], pixel.rgba, sizeof pixel.rgba);
+        }
+    }
+}
+
+void paper_thin_out(paper_picture *made, const paper_picture *from)
+{
+    paper_picture_make(made, thinned(from->width), thinned(from->height));
+    for (uint32_t y = 0; y < made->height; y++) {
+        for (uint32_t x = 0; x < made->width; x++) {
+            const size_t at = ((size_t)y * from->width + x) * paper_lattice;
+            memcpy(made->rgba[x + (size_t)y * made->width], from->rgba[at], sizeof from->rgba[0]);
+        }
+    }
+}
+
+/* ---- Comparison ----------------------------------------------------------- */
+
+void paper_difference(paper_picture *made, const paper_picture *a, const paper_picture *b)
+{
+    paper_picture_make(made, a->width, a->height);
+    for (size_t i = 0; i < pixels_of(made); i++) {
+        for (int channel = 0; channel < 3; channel++) {
+            made->rgba[i][channel] = fabs(a->rgba[i][channel] - b->rgba[i][channel]);
+        }
+        made->rgba[i][3] = 1;
+    }
+}
+
+double paper_rms(const paper_picture *a, const paper_picture *b)
+{
+    double sum = 0, channels = 0;
+    for (size_t i = 0; i < pixels_of(a); i++) {
+        for (int channel = 0; channel < 3 && a->rgba[i][3] > 0; channel++) {
+            sum += pow(255 * (a->rgba[i][channel] - b->rgba[i][channel]), 2);
+            channels++;
+        }
+    }
+    return channels > 0 ? sqrt(sum / channels) : 0;
+}
+
+enum { brightness_levels = 256 };
+
+static unsigned brightness(const double rgba[4])
+{
+    return ref_level(ref_grey(rgba), brightness_levels - 1);
+}
+
+/* Level 0 stays black and counts for nothing: it is where the pictures agree. */
+void paper_equalise(paper_picture *picture)
+{
+    size_t below[brightness_levels] = {0}, all = 0;
+    for (size_t i = 0; i < pixels_of(picture); i++) {
+        below[brightness(picture->rgba[i])]++;
+    }
+    for (unsigned level = 1; level < brightness_levels; level++) {
+        all += below[level];
+        below[level] = all;
+    }
+    for (size_t i = 0; i < pixels_of(picture); i++) {
+        const unsigned level = brightness(picture->rgba[i]);
+        const double rank = level == 0 ? 0 : (double)below[level] / (double)all;
+        for (int channel = 0; channel < 3; channel++) {
+            picture->rgba[i][channel] = rank;
+        }
+    }
+}
+
+/* ---- Files ---------------------------------------------------------------- */
+
+void paper_write_picture(const char *folder, const char *name, const paper_picture *picture)
+{
+    char file_name[FILENAME_MAX];
+    (void)snprintf(file_name, sizeof file_name, "%s.ppm", name);
+    FILE *file = paper_open(folder, file_name);
+    fprintf(file, "P6\n%u %u\n255\n", (unsigned)picture->width, (unsigned)picture->height);
+    for (size_t i = 0; i < pixels_of(picture); i++) {
+        for (int channel = 0; channel < 3; channel++) {
+            fputc((int)ref_level(picture->rgba[i][channel], 255), file);
+        }
+    }
+    paper_close(file);
+}
