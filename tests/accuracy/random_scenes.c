@@ -3,17 +3,14 @@
  * each scene and storage on its own, over the pixels that the volume covers.
  */
 #include "check.h"
-#include "seeded.h"
-#include "tally.h"
+#include "comparison.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #define SCENES        200
 #define SHARE         4   /* one scene in this many also runs the other modes */
-#define MOST_EDGE     64  /* pixels of a frame */
 #define LEAST_COVERED 400 /* channels: a hundred pixels of a frame of some thousand */
 
 static const double least_equal = 0.99;
@@ -35,50 +32,16 @@ static const qv_storage storages[4] = {QV_STORAGE_RGBA8, QV_STORAGE_RGBA16, QV_S
                                        QV_STORAGE_INDEXED8_16};
 static const char *const storage_names[4] = {"rgba8", "rgba16", "indexed8", "indexed8_16"};
 
-typedef uint8_t picture[MOST_EDGE][MOST_EDGE][4];
-
-static void render(picture pixels, const seeded_scene *made)
-{
-    const qv_rect rect = {0, 0, (int32_t)made->view.width, (int32_t)made->view.height};
-    const qv_image image = {pixels, sizeof(picture), sizeof pixels[0], &qv_format_rgba8888};
-    qv_context context;
-    assert_int_equal(qv_init(&context, &made->scene), QV_OK);
-    assert_int_equal(qv_render(&image, &context, &rect), QV_OK);
-}
-
-typedef enum camera_kind { STORED, IDEAL } camera_kind;
-
-/* Compares every pixel that the volume covers in the reference. */
-static void compare(tally *into, picture pixels, const seeded_scene *made, ref_mode mode,
-                    camera_kind camera)
-{
-    ref_pixel expected;
-    for (int32_t y = 0; y < made->view.height; y++) {
-        for (int32_t x = 0; x < made->view.width; x++) {
-            if (camera == IDEAL) {
-                ref_render_ideal(&expected, &made->scene, &made->view, mode, x, y);
-            } else {
-                ref_render(&expected, &made->scene, mode, x, y);
-            }
-            if (expected.opacity > 0) {
-                tally_pixel(into, pixels[y][x], &expected);
-            }
-        }
-    }
-}
-
 /* Renders one scene in one storage and tallies it against the reference. */
 static tally run_scene(uint32_t seed, int storage, const qv_sampling *sampling,
-                       uint16_t termination, ref_mode mode, camera_kind camera)
+                       uint16_t termination, ref_mode mode, ref_camera camera)
 {
-    static picture pixels;
     seeded_scene made;
     tally scene = {0};
     assert_int_equal(seeded_make(&made, seed, storages[storage]), QV_OK);
     made.scene.sampling = sampling;
     made.scene.termination = termination;
-    render(pixels, &made);
-    compare(&scene, pixels, &made, mode, camera);
+    assert_int_equal(compare_scene(&scene, &made, mode, camera), QV_OK);
     seeded_free(&made);
     return scene;
 }
@@ -101,7 +64,8 @@ static void test_scenes(const qv_sampling *const samplings[4], ref_mode mode, ui
         uint32_t covered = 0, scenes = 0;
         double least = 1;
         for (uint32_t seed = 1; seed <= SCENES; seed += every) {
-            const tally scene = run_scene(seed, storage, samplings[storage], 0, mode, STORED);
+            const tally scene =
+                run_scene(seed, storage, samplings[storage], 0, mode, REF_STORED_CAMERA);
             tally_add(&total, &scene);
             least = fmin(least, tally_share(&scene));
             covered += scene.channels >= LEAST_COVERED;
@@ -161,7 +125,8 @@ static void test_ideal_camera(void **state)
     for (int storage = 0; storage < 4; storage++) {
         const qv_sampling *sampling = front_to_back[REF_WEIGHTED][storage];
         for (uint32_t seed = 1; seed <= SCENES; seed++) {
-            const tally scene = run_scene(seed, storage, sampling, 0, REF_WEIGHTED, IDEAL);
+            const tally scene =
+                run_scene(seed, storage, sampling, 0, REF_WEIGHTED, REF_IDEAL_CAMERA);
             tally_add(&total, &scene);
             if (scene.worst > 1) {
                 report(seed, storage, &scene);
@@ -185,8 +150,8 @@ static void test_default_termination(void **state)
     for (int storage = 0; storage < 4; storage++) {
         const qv_sampling *sampling = front_to_back[REF_WEIGHTED][storage];
         for (uint32_t seed = 1; seed <= SCENES; seed++) {
-            const tally scene =
-                run_scene(seed, storage, sampling, QV_TERMINATION_DEFAULT, REF_WEIGHTED, STORED);
+            const tally scene = run_scene(seed, storage, sampling, QV_TERMINATION_DEFAULT,
+                                          REF_WEIGHTED, REF_STORED_CAMERA);
             tally_add(&total, &scene);
         }
     }

@@ -45,7 +45,7 @@ static void draw_view(qv_view *view, ref_view *real, const qv_volume *volume, do
     const qv_angle azimuth = draw_angle(random);
     const qv_angle elevation = draw_angle(random);
     const qv_angle roll = draw_angle(random);
-    const uint32_t longest = 40, shortest = 24; /* pixels of an edge of the frame */
+    const uint32_t longest = SEEDED_MOST_EDGE, shortest = 24; /* pixels of an edge */
     view->width = (uint16_t)(shortest + draw_below(random, longest - shortest));
     view->height = (uint16_t)(shortest + draw_below(random, longest - shortest));
     view->pitch = to_q16(diagonal(volume) / longest * draw_real(random, 0.3, 0.9));

@@ -16,6 +16,7 @@
 #include "reference.h"
 
 #define SEEDED_LONGEST_AXIS    24
+#define SEEDED_MOST_EDGE       40 /* pixels of a frame */
 #define SEEDED_MOST_EXTINCTION 16 /* per world unit */
 
 typedef struct seeded_scene {
