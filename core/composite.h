@@ -53,5 +53,7 @@ FX_INLINE void qv_over(qv_light *light, const uint32_t sample[3], uint32_t opaci
 #define QV_LEVEL_ONE   0x00FF0000u
 #define QV_READ_OUT_8  33686018u
 #define QV_READ_OUT_16 33424380u
+/* The same for 2^31 * 65535 / 65536: colours weighted by the extinction of opacities. */
+#define QV_READ_OUT_CONVERTED 66847740u
 
 #endif /* QV_COMPOSITE_H */

@@ -23,10 +23,8 @@ FX_INLINE void qv_advance(qv_ray *ray)
 FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
                       const qv_volume *volume, unsigned storage, qv_mode *mode)
 {
-    qv_cell cell;
     qv_sample sample;
-    qv_cell_locate(&cell, volume, ray);
-    if (!mode(&sample, &cell, volume, storage))
+    if (!mode(&sample, ray, volume, storage))
         return 0;
     for (unsigned c = 0; c < 3; c++)
         colour[c] = fx_sum_bits(sample.light[c]);

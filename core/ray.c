@@ -1,8 +1,6 @@
 #include "ray.h"
 
 #define QUOTIENT_BITS 23u
-#define HALF_VOXEL    ((qv_coord)1 << 31)
-#define ROUNDING      ((qv_coord)1 << 23)
 
 /* A range of sample numbers, both ends included. */
 typedef struct {
@@ -67,7 +65,7 @@ void qv_ray_clip(qv_ray *ray, const qv_context *context, int32_t first)
     /* where samples remain, the point lies in the box: no overflow */
     if (ray->samples != 0)
         for (unsigned axis = 0; axis < 3; axis++)
-            ray->place[axis] += fx_multiply(ray->advance[axis], k.first) - HALF_VOXEL + ROUNDING;
+            ray->place[axis] += fx_multiply(ray->advance[axis], k.first) + QV_CENTRED;
 }
 
 qv_coord qv_phase_of(qv_coord v, uint16_t phase)

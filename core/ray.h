@@ -10,10 +10,13 @@
 /* The sample numbers k of a ray lie in -QV_GRID_LIMIT .. QV_GRID_LIMIT - 1. */
 #define QV_GRID_LIMIT 0x400000
 
+/* From voxel coordinates to those that sampling wants: less 1/2, so that whole numbers
+   are voxel centres, plus 1/512, so that cutting to 8 fraction bits rounds to nearest. */
+#define QV_CENTRED (((qv_coord)1 << 23) - ((qv_coord)1 << 31))
+
 /*
  * The ray's next sample and what remains of it. `place` is the sample's point in
- * voxel coordinates less 1/2 (so that whole numbers are voxel centres) plus
- * 1/512 (so that cutting it to 8 fraction bits rounds it to nearest).
+ * voxel coordinates plus QV_CENTRED.
  */
 typedef struct qv_ray {
     qv_coord place[3];    /* Q31.32 */

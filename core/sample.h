@@ -8,16 +8,19 @@
 #define QV_SAMPLE_H
 
 #include "cell.h"
+#include "fx_bits.h"
+#include "fx_log.h"
 #include "weights.h"
 
 typedef struct qv_sample {
-    fx_sum light[3];  /* associated colour; 1 is 65536 * 255 * 255 or 65535 * 65535 */
-    fx_share opacity; /* 1 is 65536 * 255 or 65536 * 65535 */
+    fx_sum light[3];  /* weighted colour; 1 is 65536 * 255 * 255 or 65535 * 65535 */
+    fx_share opacity; /* or extinction; 1, or the full value, is 65536 * 255 or 65536 * 65535 */
+    unsigned scale; /* of converted opacity: both are 2^scale times as large as fx_weight.h says */
 } qv_sample;
 
-/* A mode: fills the sample and returns 1, or returns 0 where every opacity that
-   it would read is 0. */
-typedef int qv_mode(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+/* A mode: fills the sample from where the ray stands and returns 1, or returns 0 where
+   every opacity that it would read is 0. */
+typedef int qv_mode(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                     unsigned storage);
 
 FX_INLINE uint32_t qv_opacity_bits(qv_address entry, unsigned storage)
@@ -36,9 +39,46 @@ FX_INLINE int qv_any_opacity(const qv_address corner[8], unsigned storage)
     return (low | high) != 0;
 }
 
-/* What colours are multiplied with: their voxel's share of the sample's opacity
-   (weighted), or its weight alone (separate). */
-typedef enum { QV_BY_SHARE, QV_BY_WEIGHT } qv_factor;
+/* What colours are multiplied with: their voxel's share of the sample's opacity or stored
+   extinction, its share of the extinction of stored opacity, or its weight alone. */
+typedef enum { QV_BY_SHARE, QV_BY_DENSITY, QV_BY_WEIGHT } qv_factor;
+
+/* Voxels that a B-spline reads. */
+#define QV_MOST_TAPS 27
+
+/* The extinction of an entry's opacity, below 64: see fx_weight.h. */
+FX_INLINE fx_extinction qv_density(qv_address entry, unsigned storage)
+{
+    uint32_t opacity = qv_opacity_bits(entry, storage);
+    fx_extinction extinction = qv_channel_bytes(storage) == 1
+                                   ? fx_extinction_of_unorm8((fx_unorm8)opacity)
+                                   : fx_extinction_of_unorm16((fx_unorm16)opacity);
+    return extinction - (extinction >> 30); /* FX_OPAQUE is 2^30 */
+}
+
+/*
+ * Extinctions of entries of which one has opacity, all times the power of 2 that takes the
+ * largest to 2^29 or more: thin media keep as many bits as dense ones. Returns its exponent.
+ */
+FX_INLINE unsigned qv_densities(fx_density density[], const qv_address entry[], unsigned count,
+                                unsigned storage)
+{
+    fx_extinction extinction[QV_MOST_TAPS], all = 0;
+    for (unsigned i = 0; i < count; i++) {
+        extinction[i] = qv_density(entry[i], storage);
+        all |= extinction[i];
+    }
+    unsigned scale = fx_leading_zeros(all) - 2u; /* 0 < all < 2^30 */
+    for (unsigned i = 0; i < count; i++)
+        density[i] = fx_density_of(extinction[i] << scale);
+    return scale;
+}
+
+/* A colour with 16 bits, from either storage: 8 bits are repeated. */
+FX_INLINE fx_channel qv_colour16(fx_channel colour, unsigned storage)
+{
+    return qv_channel_bytes(storage) == 1 ? fx_channel_of(fx_channel_bits(colour) * 257u) : colour;
+}
 
 /* The three colours of a corner, each times its factor, in the unit of qv_sample for
    shares and of 65536 * 255 or 65536 * 65535 for weights. */
@@ -52,6 +92,10 @@ FX_INLINE void qv_terms(fx_sum term[3], fx_weight weight, fx_share share, qv_add
         term[0] = fx_sum_of_weight(weight, red);
         term[1] = fx_sum_of_weight(weight, green);
         term[2] = fx_sum_of_weight(weight, blue);
+    } else if (factor == QV_BY_DENSITY) {
+        term[0] = fx_sum_of_share16(share, qv_colour16(red, storage));
+        term[1] = fx_sum_of_share16(share, qv_colour16(green, storage));
+        term[2] = fx_sum_of_share16(share, qv_colour16(blue, storage));
     } else if (qv_channel_bytes(storage) == 1) {
         term[0] = fx_sum_of_share8(share, red);
         term[1] = fx_sum_of_share8(share, green);
@@ -63,24 +107,23 @@ FX_INLINE void qv_terms(fx_sum term[3], fx_weight weight, fx_share share, qv_add
     }
 }
 
-/* The sum of weighted products over the corners of a cell: 4M 19A for the weights,
-   8M 7A for the opacity, 3 * (8M 7A) for the colours, with either factor. */
-FX_INLINE int qv_interpolate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
-                             unsigned storage, qv_factor factor)
+/* The sum of weighted products over voxels: for each, 1M and 1A of opacity, 3M and 3A of
+   colour, less the additions of the first. Written so that `count` unrolls. */
+FX_INLINE void qv_accumulate(qv_sample *sample, const fx_weight weight[], const qv_address entry[],
+                             unsigned count, unsigned storage, qv_factor factor)
 {
-    qv_address corner[8];
-    fx_weight weight[8];
+    fx_density density[QV_MOST_TAPS];
     fx_sum light[3], term[3];
-    qv_corners(corner, cell, volume, storage);
-    if (!qv_any_opacity(corner, storage))
-        return 0;
-    qv_weights(weight, cell->fraction);
-
-    fx_share opacity = fx_share_mul(weight[0], qv_channel(corner[0], 3, storage));
-    qv_terms(light, weight[0], opacity, corner[0], storage, factor);
-    for (unsigned i = 1; i < 8; i++) {
-        fx_share share = fx_share_mul(weight[i], qv_channel(corner[i], 3, storage));
-        qv_terms(term, weight[i], share, corner[i], storage, factor);
+    sample->scale = factor == QV_BY_DENSITY ? qv_densities(density, entry, count, storage) : 0u;
+    fx_share opacity = factor == QV_BY_DENSITY
+                           ? fx_share_of_density(weight[0], density[0])
+                           : fx_share_mul(weight[0], qv_channel(entry[0], 3, storage));
+    qv_terms(light, weight[0], opacity, entry[0], storage, factor);
+    for (unsigned i = 1; i < count; i++) {
+        fx_share share = factor == QV_BY_DENSITY
+                             ? fx_share_of_density(weight[i], density[i])
+                             : fx_share_mul(weight[i], qv_channel(entry[i], 3, storage));
+        qv_terms(term, weight[i], share, entry[i], storage, factor);
         opacity = fx_share_add(opacity, share);
         light[0] = fx_sum_add(light[0], term[0]);
         light[1] = fx_sum_add(light[1], term[1]);
@@ -90,14 +133,37 @@ FX_INLINE int qv_interpolate(qv_sample *sample, const qv_cell *cell, const qv_vo
     sample->light[0] = light[0];
     sample->light[1] = light[1];
     sample->light[2] = light[2];
+}
+
+/* Trilinear: 4M 19A for the weights, 8M 7A for the opacity or extinction, 3 * (8M 7A) for
+   the colours, with every factor. */
+FX_INLINE int qv_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+                             unsigned storage, qv_factor factor)
+{
+    qv_cell cell;
+    qv_address corner[8];
+    fx_weight weight[8];
+    qv_cell_locate(&cell, volume, ray);
+    qv_corners(corner, &cell, volume, storage);
+    if (!qv_any_opacity(corner, storage))
+        return 0;
+    qv_weights(weight, cell.fraction);
+    qv_accumulate(sample, weight, corner, 8, storage, factor);
     return 1;
 }
 
-/* Opacity-weighted: equations 11 and 12. */
-FX_INLINE int qv_sample_weighted(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+/* Opacity-weighted: equations 11 and 12; or extinction-weighted, of stored extinction. */
+FX_INLINE int qv_sample_weighted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                                  unsigned storage)
 {
-    return qv_interpolate(sample, cell, volume, storage, QV_BY_SHARE);
+    return qv_interpolate(sample, ray, volume, storage, QV_BY_SHARE);
+}
+
+/* Extinction-weighted, of stored opacity. */
+FX_INLINE int qv_sample_converted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+                                  unsigned storage)
+{
+    return qv_interpolate(sample, ray, volume, storage, QV_BY_DENSITY);
 }
 
 /* colour * opacity of two separate sums: round(c * a / 2^16) for 8 bits (below
@@ -112,10 +178,10 @@ FX_INLINE fx_sum qv_associate(fx_sum colour, fx_share opacity, unsigned storage)
 
 /* Separate: the products with the opacity are those of equation 4 and belong to
    compositing. */
-FX_INLINE int qv_sample_separate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+FX_INLINE int qv_sample_separate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                                  unsigned storage)
 {
-    if (!qv_interpolate(sample, cell, volume, storage, QV_BY_WEIGHT))
+    if (!qv_interpolate(sample, ray, volume, storage, QV_BY_WEIGHT))
         return 0;
     for (unsigned c = 0; c < 3; c++)
         sample->light[c] = qv_associate(sample->light[c], sample->opacity, storage);
@@ -123,13 +189,15 @@ FX_INLINE int qv_sample_separate(qv_sample *sample, const qv_cell *cell, const q
 }
 
 /* Nearest: the corner of the half of the cell that the sample lies in. */
-FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                                 unsigned storage)
 {
-    qv_address voxel = cell->base;
+    qv_cell cell;
+    qv_cell_locate(&cell, volume, ray);
+    qv_address voxel = cell.base;
     for (unsigned axis = 0; axis < 3; axis++)
-        if (fx_fraction_bits(cell->fraction[axis]) >= 128)
-            voxel = qv_at(voxel, cell->next[axis]);
+        if (fx_fraction_bits(cell.fraction[axis]) >= 128)
+            voxel = qv_at(voxel, cell.next[axis]);
     qv_address entry = qv_entry(voxel, volume, storage);
     fx_channel opacity = qv_channel(entry, 3, storage);
     if (fx_channel_bits(opacity) == 0)

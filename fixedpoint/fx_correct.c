@@ -13,6 +13,24 @@ fx_depth fx_depth_scale(fx_depth depth, uint32_t ratio)
     return (whole << 16) + (fraction >> 16);
 }
 
+fx_depth fx_depth_times(fx_depth depth, uint64_t ratio)
+{
+    uint32_t whole = (uint32_t)(depth >> 32), fraction = (uint32_t)depth;
+    uint64_t low = fx_wide_product(fraction, (uint32_t)ratio) >> 32;
+    uint64_t middle = fx_wide_product(fraction, (uint32_t)(ratio >> 32));
+    if (whole != 0) /* products below 2^64, since the whole one is */
+        middle += (fx_wide_product(whole, (uint32_t)(ratio >> 32)) << 32) +
+                  fx_wide_product(whole, (uint32_t)ratio);
+    return middle + low;
+}
+
+/* In it nothing is small: phi(depth) > 1/16. */
+uint32_t fx_phi_share(fx_depth depth, fx_depth scaled)
+{
+    uint32_t reciprocal = fx_reciprocal(fx_phi(depth));      /* Q5.27, below 16 */
+    return fx_high_product(reciprocal << 1, fx_phi(scaled)); /* phi is Q1.31 */
+}
+
 fx_unorm16 fx_correct_opacity(fx_unorm16 opacity, uint32_t ratio)
 {
     if (opacity == 65535u)
@@ -27,9 +45,7 @@ uint32_t fx_correct_colour(fx_unorm16 opacity, uint32_t ratio)
     if (opacity == 65535u)
         return ONE_Q27;
     fx_depth depth = fx_depth_of_unorm16(opacity);
-    uint32_t reciprocal = fx_reciprocal(fx_phi(depth));  /* Q5.27, below 12 */
-    uint32_t phi = fx_phi(fx_depth_scale(depth, ratio)); /* Q1.31 */
     /* phi(r x) / phi(x) <= 12 and times r <= 16: Q5.27 * Q16.16 */
-    uint32_t share = fx_high_product(reciprocal << 1, phi);
+    uint32_t share = fx_phi_share(depth, fx_depth_scale(depth, ratio));
     return (uint32_t)(fx_wide_product(share, ratio) >> 16);
 }

@@ -13,8 +13,18 @@
 #define FX_RATIO_LEAST    4096u    /* 1/16 */
 #define FX_RATIO_GREATEST 1048576u /* 16 */
 
-/* depth * ratio, cut to Q32.32: for depths up to 64 and every ratio. */
+/* depth * ratio, cut to Q32.32: for every ratio, Q16.16, and products below 2^32. */
 fx_depth fx_depth_scale(fx_depth depth, uint32_t ratio);
+
+/* depth * ratio, cut to Q32.32: for a ratio in Q32.32 and products below 2^32. Never more
+   than the product, and less by at most 2^-31. */
+fx_depth fx_depth_times(fx_depth depth, uint64_t ratio);
+
+/*
+ * phi(scaled) / phi(depth), Q5.27, for depths below 23: times their ratio it is what
+ * opacity-weighted colour is to be multiplied by. Error at most .4 * 2^-16 of the result.
+ */
+uint32_t fx_phi_share(fx_depth depth, fx_depth scaled);
 
 /*
  * 1 - (1 - opacity)^ratio, for every ratio. Exactly the opacity for ratio 1; 0 and

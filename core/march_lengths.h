@@ -1,0 +1,137 @@
+/*
+ * march_lengths.h - the loop over a ray's pieces, for the modes that weigh by length.
+ *
+ * A model turns a sample and the length that it stands for into light. Modes, models
+ * and storage are constants at each call, and all of it is inlined.
+ */
+#ifndef QV_MARCH_LENGTHS_H
+#define QV_MARCH_LENGTHS_H
+
+#include "correct.h"
+#include "stretch.h"
+
+/* What distinguishes one family of modes from another. */
+typedef struct qv_family {
+    qv_mode *mode;
+    qv_model *under, *over;
+    int gathers; /* whether light is gathered beside qv_light */
+} qv_family;
+
+FX_INLINE void qv_advance_run(qv_run *run)
+{
+    run->ray.samples--;
+    for (unsigned axis = 0; axis < 3; axis++)
+        run->ray.place[axis] += run->ray.advance[axis];
+}
+
+/*
+ * Front to back through one run. ray->samples counts down to the pieces that were not
+ * taken. Returns 0 where the ray ends here, for lack of transmittance.
+ */
+FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, qv_ray *ray,
+                           const qv_context *context, unsigned storage, const qv_family *family)
+{
+    uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
+    qv_medium medium;
+    qv_medium_scale(&medium, &context->medium, run->length);
+    for (; run->ray.samples != 0; qv_advance_run(run)) {
+        qv_sample sample;
+        ray->samples--;
+        if (!family->mode(&sample, &run->ray, &context->scene.volume, storage)) {
+            light->skipped++;
+            continue;
+        }
+        family->under(light, gathered, &sample, &medium, storage);
+        if (light->transmittance <= enough) {
+            light->terminated = run->ray.samples > 1 || ray->enter < ray->leave;
+            return 0;
+        }
+    }
+    return 1;
+}
+
+FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *context,
+                                unsigned storage, const qv_family *family)
+{
+    qv_gathered gathered = {{0, 0, 0}, 0};
+    qv_run run;
+    while (qv_next_run(&run, ray, ray->leave, 0) &&
+           qv_march_run(light, &gathered, &run, ray, context, storage, family))
+        ;
+    if (family->gathers)
+        qv_gathered_light(light, &gathered, &context->medium);
+}
+
+/* Back to front: every piece is taken. */
+FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_context *context,
+                                     unsigned storage, const qv_family *family)
+{
+    qv_gathered gathered = {{0, 0, 0}, 0};
+    qv_run run;
+    qv_path_reverse(ray);
+    while (qv_next_run(&run, ray, ray->leave, 0)) {
+        qv_medium medium;
+        qv_medium_scale(&medium, &context->medium, run.length);
+        for (; run.ray.samples != 0; qv_advance_run(&run)) {
+            qv_sample sample;
+            ray->samples--;
+            if (family->mode(&sample, &run.ray, &context->scene.volume, storage))
+                family->over(light, &gathered, &sample, &medium, storage);
+            else
+                light->skipped++;
+        }
+    }
+}
+
+/*
+ * Defines the sampling mode qv_MODE_SUFFIX of a family for a storage, in both orders.
+ * Macros because the descriptors are public names; the code is qv_march_lengths.
+ */
+#define QV_DEFINE_LENGTH_SAMPLING(mode, suffix, prepare, family, read_out, storage)                \
+    static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
+    {                                                                                              \
+        qv_march_lengths(light, ray, context, storage, family);                                    \
+    }                                                                                              \
+    static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
+    {                                                                                              \
+        qv_march_lengths_back(light, ray, context, storage, family);                               \
+    }                                                                                              \
+    const qv_sampling qv_##mode##_##suffix = {prepare, qv_path_clip, march_##suffix, read_out,     \
+                                              storage};                                            \
+    const qv_sampling qv_##mode##_##suffix##_back_to_front = {                                     \
+        prepare, qv_path_clip, march_back_##suffix, read_out, storage};
+
+/* Opacity-based, of the four storages that hold opacity. */
+#define QV_DEFINE_CORRECTED_SAMPLINGS(mode, family)                                                \
+    QV_DEFINE_LENGTH_SAMPLING(mode, rgba8, qv_prepare_corrected, family, QV_READ_OUT_8,            \
+                              QV_STORAGE_RGBA8)                                                    \
+    QV_DEFINE_LENGTH_SAMPLING(mode, rgba16, qv_prepare_corrected, family, QV_READ_OUT_16,          \
+                              QV_STORAGE_RGBA16)                                                   \
+    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8, qv_prepare_corrected, family, QV_READ_OUT_8,         \
+                              QV_STORAGE_INDEXED8)                                                 \
+    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8_16, qv_prepare_corrected, family, QV_READ_OUT_16,     \
+                              QV_STORAGE_INDEXED8_16)
+
+/* Extinction-based, of storage that holds extinction. */
+#define QV_DEFINE_EXTINCTION_SAMPLINGS(mode, family)                                               \
+    QV_DEFINE_LENGTH_SAMPLING(mode, rgbt8, qv_prepare_extinction, family, QV_READ_OUT_8,           \
+                              QV_STORAGE_RGBT8)                                                    \
+    QV_DEFINE_LENGTH_SAMPLING(mode, rgbt16, qv_prepare_extinction, family, QV_READ_OUT_16,         \
+                              QV_STORAGE_RGBT16)                                                   \
+    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8_t8, qv_prepare_extinction, family, QV_READ_OUT_8,     \
+                              QV_STORAGE_INDEXED8_T8)                                              \
+    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8_t16, qv_prepare_extinction, family, QV_READ_OUT_16,   \
+                              QV_STORAGE_INDEXED8_T16)
+
+/* Extinction-based, of storage that holds opacity. */
+#define QV_DEFINE_CONVERTED_SAMPLINGS(mode, family)                                                \
+    QV_DEFINE_LENGTH_SAMPLING(mode, rgba8, qv_prepare_converted, family, QV_READ_OUT_CONVERTED,    \
+                              QV_STORAGE_RGBA8)                                                    \
+    QV_DEFINE_LENGTH_SAMPLING(mode, rgba16, qv_prepare_converted, family, QV_READ_OUT_CONVERTED,   \
+                              QV_STORAGE_RGBA16)                                                   \
+    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8, qv_prepare_converted, family, QV_READ_OUT_CONVERTED, \
+                              QV_STORAGE_INDEXED8)                                                 \
+    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8_16, qv_prepare_converted, family,                     \
+                              QV_READ_OUT_CONVERTED, QV_STORAGE_INDEXED8_16)
+
+#endif /* QV_MARCH_LENGTHS_H */

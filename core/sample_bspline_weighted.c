@@ -1,0 +1,6 @@
+#include "bspline.h"
+#include "march_lengths.h"
+
+static const qv_family weighted = {qv_bspline_weighted, qv_corrected_under, qv_corrected_over, 0};
+
+QV_DEFINE_CORRECTED_SAMPLINGS(bspline_weighted, &weighted)

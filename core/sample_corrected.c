@@ -1,0 +1,5 @@
+#include "march_lengths.h"
+
+static const qv_family corrected = {qv_sample_weighted, qv_corrected_under, qv_corrected_over, 0};
+
+QV_DEFINE_CORRECTED_SAMPLINGS(corrected, &corrected)

@@ -1,0 +1,118 @@
+#include "stretch.h"
+
+#define QUOTIENT_BITS 23u
+#define FRACTION_BITS 16u
+#define BEYOND        ((uint64_t)QV_GRID_LIMIT << (FRACTION_BITS + 1u))
+#define FARTHEST      ((int64_t)QV_GRID_LIMIT * QV_STEP_Q16)
+#define HALF_STEP     (QV_STEP_Q16 / 2)
+
+/*
+ * n / d in 1/2^16, cut, by shift and subtract, for n < 2^62 and 0 < d <= 2^62; BEYOND
+ * from 2^23 on. What is left is below d, so that doubling it does not overflow.
+ */
+static uint64_t quotient(uint64_t n, uint64_t d)
+{
+    uint64_t q = 0;
+    unsigned bits = 0;
+    for (; d <= n >> 1; bits++) {
+        if (bits == QUOTIENT_BITS)
+            return BEYOND;
+        d <<= 1; /* <= n */
+    }
+    for (unsigned i = 0; i <= bits + FRACTION_BITS; i++) {
+        q <<= 1;
+        if (n >= d) {
+            n -= d;
+            q |= 1u;
+        }
+        if (i < bits)
+            d >>= 1;
+        else
+            n <<= 1;
+    }
+    return q;
+}
+
+/* Where a ray meets a plane that lies `way` ahead of sample 0; an even position. */
+static int64_t crossing(qv_coord way, qv_coord advance)
+{
+    int backwards = (way < 0) != (advance < 0);
+    uint64_t n = way < 0 ? 0u - (uint64_t)way : (uint64_t)way;
+    uint64_t d = advance < 0 ? 0u - (uint64_t)advance : (uint64_t)advance;
+    int64_t position = (int64_t)(quotient(n, d) & ~(uint64_t)1);
+    return backwards ? -position : position;
+}
+
+/* Cuts the way to the slab between two faces. */
+static void narrow_to_slab(qv_ray *ray, unsigned axis, qv_coord size)
+{
+    qv_coord place = ray->place[axis], advance = ray->advance[axis];
+    if (advance == 0) {
+        if (place < 0 || place >= size)
+            ray->leave = ray->enter;
+        return;
+    }
+    int64_t low = crossing(-place, advance), high = crossing(size - place, advance);
+    int64_t enter = low < high ? low : high, leave = low < high ? high : low;
+    if (ray->enter < enter)
+        ray->enter = enter;
+    if (ray->leave > leave)
+        ray->leave = leave;
+}
+
+/* The number of the stretch that a position lies in. */
+static int32_t stretch_of(int64_t position)
+{
+    return (int32_t)fx_shift_floor(position + HALF_STEP, FRACTION_BITS);
+}
+
+void qv_path_clip(qv_ray *ray, const qv_context *context, int32_t first)
+{
+    const qv_scene *scene = &context->scene;
+    ray->enter = first == 0 ? -(int64_t)(scene->phase & ~1u) : -FARTHEST;
+    ray->leave = FARTHEST;
+    for (unsigned axis = 0; axis < 3; axis++)
+        narrow_to_slab(ray, axis, (qv_coord)scene->volume.size[axis] << 32);
+    ray->samples = 0;
+    if (ray->enter < ray->leave)
+        ray->samples = (uint32_t)(stretch_of(ray->leave - 1) - stretch_of(ray->enter)) + 1u;
+}
+
+/* Puts a run's ray to a position, in voxels of the level. The way there is below 2^23
+   steps of at most 2^8 voxels, and the point lies in the box. */
+static void place_at(qv_run *run, const qv_ray *ray, int64_t position, unsigned level)
+{
+    int32_t whole = (int32_t)fx_shift_floor(position, FRACTION_BITS);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        qv_coord advance = ray->advance[axis];
+        qv_coord point = ray->place[axis] + fx_multiply(advance, whole) +
+                         qv_phase_of(advance, (uint16_t)(position & 0xFFFF));
+        run->ray.place[axis] = fx_shift_floor(point, level) + QV_CENTRED;
+        run->ray.advance[axis] = advance; /* 2^level steps are so many voxels of the level */
+    }
+}
+
+int qv_next_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level)
+{
+    int64_t whole = (int64_t)QV_STEP_Q16 << level;
+    int64_t left = (end < ray->leave ? end : ray->leave) - ray->enter;
+    if (left <= 0)
+        return 0;
+    /* from the border before, modulo a power of 2 whatever the sign */
+    int64_t behind = (int64_t)((uint64_t)(ray->enter + HALF_STEP) & ((uint64_t)whole - 1u));
+    int64_t length = whole - behind < left ? whole - behind : left;
+    run->ray.samples = length == whole ? (uint32_t)(left >> (FRACTION_BITS + level)) : 1u;
+    run->length = (uint32_t)length; /* <= 2^28 */
+    place_at(run, ray, ray->enter + length / 2, level);
+    ray->enter += length * run->ray.samples;
+    return 1;
+}
+
+void qv_path_reverse(qv_ray *ray)
+{
+    int64_t enter = ray->enter;
+    ray->enter = -ray->leave;
+    ray->leave = -enter;
+    for (unsigned axis = 0; axis < 3; axis++)
+        ray->advance[axis] = -ray->advance[axis];
+}

@@ -1,0 +1,39 @@
+/*
+ * stretch.h - a ray's way through the box, cut into pieces that know their length.
+ *
+ * Positions t on a ray are counted in steps from sample 0, with 16 fraction bits.
+ * The stretch of sample k reaches from k - 1/2 to k + 1/2. Positions where a ray
+ * enters and leaves are even, so that every piece has a middle.
+ */
+#ifndef QV_STRETCH_H
+#define QV_STRETCH_H
+
+#include "ray.h"
+
+#define QV_STEP_Q16 65536
+
+/* Pieces of equal length that follow each other. */
+typedef struct qv_run {
+    qv_ray ray;      /* at the middle of the first; `samples` counts the pieces that remain */
+    uint32_t length; /* of each, in steps of the volume, Q16.16 */
+} qv_run;
+
+/*
+ * Finds enter and leave of a ray: the way through the box of the scene's volume, in
+ * perspective (first = 0) from the eye on. On entry place is the point of sample 0,
+ * |place| < 2^62, and stays. samples counts the pieces, 0 where the ray misses.
+ * enter and leave are cut to 2^-15 step towards sample 0.
+ */
+void qv_path_clip(qv_ray *ray, const qv_context *context, int32_t first);
+
+/*
+ * Takes the next run off a ray, up to the position `end` at most: one piece up to the
+ * next border, or all whole stretches that follow. Returns 0 where the ray is done.
+ * The run's ray is in voxels of the level, whose stretches are 2^level steps long.
+ */
+int qv_next_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level);
+
+/* Turns a ray round, for level 0: what it leaves last, it enters first. */
+void qv_path_reverse(qv_ray *ray);
+
+#endif /* QV_STRETCH_H */
