@@ -40,58 +40,118 @@ FX_INLINE void qv_triple_locate(qv_triple *triple, const qv_volume *volume, cons
  * The taps sum to at most 1/2, so both roundings upwards leave weight / 2 - 1; and for a
  * weight of 1 only one product can reach 1/2. What is left is never negative.
  */
-FX_INLINE void qv_part(fx_weight *lower, fx_weight *middle, fx_weight *upper, fx_weight weight,
-                       const qv_triple *triple)
+FX_INLINE void qv_part(fx_weight part[3], fx_weight weight, const qv_triple *triple)
 {
-    *lower = fx_weight_tap_mul(weight, triple->tap[0]);
-    *upper = fx_weight_tap_mul(weight, triple->tap[1]);
-    *middle = fx_weight_sub(fx_weight_sub(weight, *lower), *upper);
+    part[0] = fx_weight_tap_mul(weight, triple->tap[0]);
+    part[2] = fx_weight_tap_mul(weight, triple->tap[1]);
+    part[1] = fx_weight_sub(fx_weight_sub(weight, part[0]), part[2]);
 }
 
-/* The 27 weights, x fastest, then y, then z: they sum to exactly 65536, as every voxel's
-   weight is parted without remainder. 26 multiplications, 26 additions. */
-FX_INLINE void qv_bspline_weights(fx_weight weight[QV_MOST_TAPS], const qv_triple triple[3])
+/* The same for a weight of 1: the parts sum to exactly 65536, and those of parts too. */
+FX_INLINE void qv_part_one(fx_weight part[3], const qv_triple *triple)
 {
-    fx_weight z[3], y[3];
-    qv_part(&z[0], &z[1], &z[2], fx_weight_of(FX_WEIGHT_ONE), &triple[2]);
+    part[0] = fx_weight_of_tap(triple->tap[0]);
+    part[2] = fx_weight_of_tap(triple->tap[1]);
+    part[1] = fx_weight_sub(fx_weight_sub(fx_weight_of(FX_WEIGHT_ONE), part[0]), part[2]);
+}
+
+/* The nine rows of three voxels, y fastest. */
+typedef struct qv_rows {
+    qv_address row[9]; /* where voxels are at[i] of the x axis from */
+    const qv_offset *at;
+} qv_rows;
+
+FX_INLINE void qv_rows_locate(qv_rows *rows, const qv_triple triple[3], const qv_volume *volume)
+{
+    rows->at = triple[0].at;
     for (unsigned k = 0; k < 3; k++) {
-        qv_part(&y[0], &y[1], &y[2], z[k], &triple[1]);
+        qv_address slice = qv_at(volume->voxels, triple[2].at[k]);
+        rows->row[3u * k] = qv_at(slice, triple[1].at[0]);
+        rows->row[3u * k + 1u] = qv_at(slice, triple[1].at[1]);
+        rows->row[3u * k + 2u] = qv_at(slice, triple[1].at[2]);
+    }
+}
+
+FX_INLINE qv_address qv_rows_entry(const qv_rows *rows, unsigned row, unsigned i,
+                                   const qv_volume *volume, unsigned storage)
+{
+    return qv_entry(qv_at(rows->row[row], rows->at[i]), volume, storage);
+}
+
+/* Whether one of the 27 voxels has opacity. */
+FX_INLINE int qv_rows_any(const qv_rows *rows, const qv_volume *volume, unsigned storage)
+{
+    uint32_t any = 0;
+    for (unsigned row = 0; row < 9; row++)
+        any |= qv_opacity_bits(qv_rows_entry(rows, row, 0, volume, storage), storage) |
+               qv_opacity_bits(qv_rows_entry(rows, row, 1, volume, storage), storage) |
+               qv_opacity_bits(qv_rows_entry(rows, row, 2, volume, storage), storage);
+    return any != 0;
+}
+
+/* Adds one voxel to the sums. */
+FX_INLINE void qv_add_voxel(qv_sample *sum, fx_weight weight, qv_address entry,
+                            const fx_density *density, unsigned storage, qv_factor factor)
+{
+    fx_sum term[3];
+    fx_share share = qv_share(weight, entry, density, storage, factor);
+    qv_terms(term, weight, share, entry, storage, factor);
+    sum->opacity = fx_share_add(sum->opacity, share);
+    sum->light[0] = fx_sum_add(sum->light[0], term[0]);
+    sum->light[1] = fx_sum_add(sum->light[1], term[1]);
+    sum->light[2] = fx_sum_add(sum->light[2], term[2]);
+}
+
+/* The sums over all voxels, each with its part of 1. */
+FX_INLINE void qv_add_rows(qv_sample *sum, const qv_rows *rows, const qv_triple triple[3],
+                           const fx_density density[QV_MOST_TAPS], const qv_volume *volume,
+                           unsigned storage, qv_factor factor)
+{
+    fx_weight slice[3], row[3], voxel[3];
+    qv_part_one(slice, &triple[2]);
+    for (unsigned k = 0; k < 3; k++) {
+        qv_part(row, slice[k], &triple[1]);
         for (unsigned j = 0; j < 3; j++) {
-            fx_weight *row = weight + 9u * k + 3u * j;
-            qv_part(&row[0], &row[1], &row[2], y[j], &triple[0]);
+            unsigned number = 3u * k + j;
+            const fx_density *own = density + 3u * number;
+            qv_part(voxel, row[j], &triple[0]);
+            qv_add_voxel(sum, voxel[0], qv_rows_entry(rows, number, 0, volume, storage), own,
+                         storage, factor);
+            qv_add_voxel(sum, voxel[1], qv_rows_entry(rows, number, 1, volume, storage), own + 1,
+                         storage, factor);
+            qv_add_voxel(sum, voxel[2], qv_rows_entry(rows, number, 2, volume, storage), own + 2,
+                         storage, factor);
         }
     }
 }
 
-/* The entries of the 27 voxels in the same order; returns whether one has opacity. */
-FX_INLINE int qv_bspline_entries(qv_address entry[QV_MOST_TAPS], const qv_triple triple[3],
-                                 const qv_volume *volume, unsigned storage)
+/* Extinctions of stored opacities, as qv_densities has them. */
+FX_INLINE unsigned qv_rows_densities(fx_density density[QV_MOST_TAPS], const qv_rows *rows,
+                                     const qv_volume *volume, unsigned storage)
 {
-    uint32_t any = 0;
-    for (unsigned k = 0; k < 3; k++)
-        for (unsigned j = 0; j < 3; j++) {
-            qv_address row = qv_at(qv_at(volume->voxels, triple[2].at[k]), triple[1].at[j]);
-            for (unsigned i = 0; i < 3; i++) {
-                qv_address voxel = qv_entry(qv_at(row, triple[0].at[i]), volume, storage);
-                any |= qv_opacity_bits(voxel, storage);
-                entry[9u * k + 3u * j + i] = voxel;
-            }
-        }
-    return any != 0;
+    qv_address entry[QV_MOST_TAPS];
+    for (unsigned i = 0; i < QV_MOST_TAPS; i++)
+        entry[i] = qv_rows_entry(rows, i / 3u, i % 3u, volume, storage);
+    return qv_densities(density, entry, QV_MOST_TAPS, storage);
 }
 
 FX_INLINE int qv_bspline(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                          unsigned storage, qv_factor factor)
 {
     qv_triple triple[3];
-    qv_address entry[QV_MOST_TAPS];
-    fx_weight weight[QV_MOST_TAPS];
+    qv_rows rows;
+    fx_density density[QV_MOST_TAPS];
     for (unsigned axis = 0; axis < 3; axis++)
         qv_triple_locate(&triple[axis], volume, ray, axis);
-    if (!qv_bspline_entries(entry, triple, volume, storage))
+    qv_rows_locate(&rows, triple, volume);
+    if (!qv_rows_any(&rows, volume, storage))
         return 0;
-    qv_bspline_weights(weight, triple);
-    qv_accumulate(sample, weight, entry, QV_MOST_TAPS, storage, factor);
+    sample->scale =
+        factor == QV_BY_DENSITY ? qv_rows_densities(density, &rows, volume, storage) : 0u;
+    sample->opacity = fx_share_of(0);
+    for (unsigned c = 0; c < 3; c++)
+        sample->light[c] = fx_sum_of(0);
+    qv_add_rows(sample, &rows, triple, density, volume, storage, factor);
     return 1;
 }
 

@@ -90,15 +90,17 @@ FX_INLINE void qv_corrected_over(qv_light *light, qv_gathered *gathered, const q
 /* The depth of a sample: its extinction sum times what 2^32 units are worth. */
 FX_INLINE fx_depth qv_sample_depth(const qv_sample *sample, const qv_medium *medium)
 {
-    return fx_depth_times(fx_share_bits(sample->opacity), medium->depth) >> sample->scale;
+    uint32_t sum = fx_share_bits(sample->opacity);
+    uint64_t low = fx_wide_product(sum, (uint32_t)medium->depth) >> 32;
+    return (fx_wide_product(sum, (uint32_t)(medium->depth >> 32)) + low) >> sample->scale;
 }
 
 /* transmittance * phi * ln 2 * the full value's depth, Q(a+1).(31-a): what a sample's
    extinction-weighted colour, in parts of the full value, is light of. */
 FX_INLINE uint32_t qv_light_factor(uint32_t transmittance, fx_depth depth, const qv_medium *medium)
 {
-    uint32_t seen = fx_high_product(transmittance, fx_phi(depth)); /* Q2.30, <= 2^30 */
-    return fx_high_product(seen << 1, medium->light);
+    uint32_t seen = (uint32_t)(fx_wide_product(transmittance, fx_phi(depth)) >> 32); /* <= 2^30 */
+    return (uint32_t)(fx_wide_product(seen << 1, medium->light) >> 32);
 }
 
 FX_INLINE void qv_extinction_under(qv_light *light, qv_gathered *gathered, const qv_sample *sample,
@@ -108,9 +110,9 @@ FX_INLINE void qv_extinction_under(qv_light *light, qv_gathered *gathered, const
     uint32_t factor = qv_light_factor(light->transmittance, depth, medium);
     (void)storage;
     /* all light together is at most 1 and a little: half of what 64 bits hold */
-    for (unsigned c = 0; c < 3; c++)
-        gathered->light[c] +=
-            fx_wide_product(fx_sum_bits(sample->light[c]), factor) >> sample->scale;
+    gathered->light[0] += fx_wide_product(fx_sum_bits(sample->light[0]), factor) >> sample->scale;
+    gathered->light[1] += fx_wide_product(fx_sum_bits(sample->light[1]), factor) >> sample->scale;
+    gathered->light[2] += fx_wide_product(fx_sum_bits(sample->light[2]), factor) >> sample->scale;
     gathered->depth += depth; /* the sum was below 32, since something was transmitted */
     light->transmittance = fx_transmittance(gathered->depth);
 }

@@ -34,16 +34,18 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_medium medium;
     qv_medium_scale(&medium, &context->medium, run->length);
+    ray->samples -= run->ray.samples;
     for (; run->ray.samples != 0; qv_advance_run(run)) {
         qv_sample sample;
-        ray->samples--;
         if (!family->mode(&sample, &run->ray, &context->scene.volume, storage)) {
             light->skipped++;
             continue;
         }
         family->under(light, gathered, &sample, &medium, storage);
         if (light->transmittance <= enough) {
-            light->terminated = run->ray.samples > 1 || ray->enter < ray->leave;
+            uint32_t rest = run->ray.samples - 1u;
+            ray->samples += rest;
+            light->terminated = rest != 0 || ray->enter < ray->leave;
             return 0;
         }
     }

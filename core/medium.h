@@ -31,9 +31,11 @@ qv_status qv_prepare_converted(qv_context *context, const qv_scene *scene);
 /* The medium of a length in steps, Q16.16: at most 2^levels, so that nothing overflows. */
 FX_INLINE void qv_medium_scale(qv_medium *scaled, const qv_medium *step, uint32_t length)
 {
+    *scaled = *step;
+    if (length == QV_ONE_Q16)
+        return;
     scaled->depth = fx_depth_scale(step->depth, length);
     scaled->light = (uint32_t)(fx_wide_product(step->light, length) >> 16);
-    scaled->light_shift = step->light_shift;
 }
 
 #endif /* QV_MEDIUM_H */

@@ -107,32 +107,14 @@ FX_INLINE void qv_terms(fx_sum term[3], fx_weight weight, fx_share share, qv_add
     }
 }
 
-/* The sum of weighted products over voxels: for each, 1M and 1A of opacity, 3M and 3A of
-   colour, less the additions of the first. Written so that `count` unrolls. */
-FX_INLINE void qv_accumulate(qv_sample *sample, const fx_weight weight[], const qv_address entry[],
-                             unsigned count, unsigned storage, qv_factor factor)
+/* A voxel's share of the sample's opacity or extinction. Its density is read by density
+   alone. */
+FX_INLINE fx_share qv_share(fx_weight weight, qv_address entry, const fx_density *density,
+                            unsigned storage, qv_factor factor)
 {
-    fx_density density[QV_MOST_TAPS];
-    fx_sum light[3], term[3];
-    sample->scale = factor == QV_BY_DENSITY ? qv_densities(density, entry, count, storage) : 0u;
-    fx_share opacity = factor == QV_BY_DENSITY
-                           ? fx_share_of_density(weight[0], density[0])
-                           : fx_share_mul(weight[0], qv_channel(entry[0], 3, storage));
-    qv_terms(light, weight[0], opacity, entry[0], storage, factor);
-    for (unsigned i = 1; i < count; i++) {
-        fx_share share = factor == QV_BY_DENSITY
-                             ? fx_share_of_density(weight[i], density[i])
-                             : fx_share_mul(weight[i], qv_channel(entry[i], 3, storage));
-        qv_terms(term, weight[i], share, entry[i], storage, factor);
-        opacity = fx_share_add(opacity, share);
-        light[0] = fx_sum_add(light[0], term[0]);
-        light[1] = fx_sum_add(light[1], term[1]);
-        light[2] = fx_sum_add(light[2], term[2]);
-    }
-    sample->opacity = opacity;
-    sample->light[0] = light[0];
-    sample->light[1] = light[1];
-    sample->light[2] = light[2];
+    if (factor == QV_BY_DENSITY)
+        return fx_share_of_density(weight, *density);
+    return fx_share_mul(weight, qv_channel(entry, 3, storage));
 }
 
 /* Trilinear: 4M 19A for the weights, 8M 7A for the opacity or extinction, 3 * (8M 7A) for
@@ -143,12 +125,29 @@ FX_INLINE int qv_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volu
     qv_cell cell;
     qv_address corner[8];
     fx_weight weight[8];
+    fx_density density[8];
+    fx_sum light[3], term[3];
     qv_cell_locate(&cell, volume, ray);
     qv_corners(corner, &cell, volume, storage);
     if (!qv_any_opacity(corner, storage))
         return 0;
     qv_weights(weight, cell.fraction);
-    qv_accumulate(sample, weight, corner, 8, storage, factor);
+    sample->scale = factor == QV_BY_DENSITY ? qv_densities(density, corner, 8, storage) : 0u;
+
+    fx_share opacity = qv_share(weight[0], corner[0], &density[0], storage, factor);
+    qv_terms(light, weight[0], opacity, corner[0], storage, factor);
+    for (unsigned i = 1; i < 8; i++) {
+        fx_share share = qv_share(weight[i], corner[i], &density[i], storage, factor);
+        qv_terms(term, weight[i], share, corner[i], storage, factor);
+        opacity = fx_share_add(opacity, share);
+        light[0] = fx_sum_add(light[0], term[0]);
+        light[1] = fx_sum_add(light[1], term[1]);
+        light[2] = fx_sum_add(light[2], term[2]);
+    }
+    sample->opacity = opacity;
+    sample->light[0] = light[0];
+    sample->light[1] = light[1];
+    sample->light[2] = light[2];
     return 1;
 }
 

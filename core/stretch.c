@@ -1,36 +1,54 @@
 #include "stretch.h"
 
+#include "fx_bits.h"
+
 #define QUOTIENT_BITS 23u
 #define FRACTION_BITS 16u
-#define BEYOND        ((uint64_t)QV_GRID_LIMIT << (FRACTION_BITS + 1u))
 #define FARTHEST      ((int64_t)QV_GRID_LIMIT * QV_STEP_Q16)
 #define HALF_STEP     (QV_STEP_Q16 / 2)
 
 /*
- * n / d in 1/2^16, cut, by shift and subtract, for n < 2^62 and 0 < d <= 2^62; BEYOND
- * from 2^23 on. What is left is below d, so that doubling it does not overflow.
+ * rest / d in 1/2^16, cut to an even number, for rest < d <= 2^40. Both are scaled until d
+ * has 32 bits; 16 of them then guess the quotient, at most 2 too high.
  */
-static uint64_t quotient(uint64_t n, uint64_t d)
+static uint32_t fraction(uint64_t rest, uint64_t d)
 {
-    uint64_t q = 0;
+    for (; d >> 32 != 0; d >>= 1)
+        rest >>= 1;
+    unsigned shift = fx_leading_zeros((uint32_t)d);
+    uint32_t divisor = (uint32_t)d << shift, part = (uint32_t)rest << shift;
+    uint32_t guess = part / (divisor >> 16); /* <= 2^16 + 2 */
+    while (fx_wide_product(guess, divisor) > (uint64_t)part << 16)
+        guess--;
+    return (guess < 0xFFFFu ? guess : 0xFFFFu) & 0xFFFEu;
+}
+
+/*
+ * n / d in 1/2^16, cut to an even number, for n < 2^62 and 0 < d <= 2^40, by shift and
+ * subtract; twice the farthest position where the whole part does not fit.
+ */
+static int64_t quotient(uint64_t n, uint64_t d)
+{
+    uint32_t q = 0;
     unsigned bits = 0;
     for (; d <= n >> 1; bits++) {
         if (bits == QUOTIENT_BITS)
-            return BEYOND;
+            return 2 * FARTHEST;
         d <<= 1; /* <= n */
     }
-    for (unsigned i = 0; i <= bits + FRACTION_BITS; i++) {
-        q <<= 1;
+    for (unsigned i = 0; i < bits; i++) {
         if (n >= d) {
             n -= d;
             q |= 1u;
         }
-        if (i < bits)
-            d >>= 1;
-        else
-            n <<= 1;
+        q <<= 1;
+        d >>= 1;
     }
-    return q;
+    if (n >= d) {
+        n -= d;
+        q |= 1u;
+    }
+    return ((int64_t)q << FRACTION_BITS) + fraction(n, d);
 }
 
 /* Where a ray meets a plane that lies `way` ahead of sample 0; an even position. */
@@ -39,8 +57,7 @@ static int64_t crossing(qv_coord way, qv_coord advance)
     int backwards = (way < 0) != (advance < 0);
     uint64_t n = way < 0 ? 0u - (uint64_t)way : (uint64_t)way;
     uint64_t d = advance < 0 ? 0u - (uint64_t)advance : (uint64_t)advance;
-    int64_t position = (int64_t)(quotient(n, d) & ~(uint64_t)1);
-    return backwards ? -position : position;
+    return backwards ? -quotient(n, d) : quotient(n, d);
 }
 
 /* Cuts the way to the slab between two faces. */
@@ -85,8 +102,9 @@ static void place_at(qv_run *run, const qv_ray *ray, int64_t position, unsigned 
     int32_t whole = (int32_t)fx_shift_floor(position, FRACTION_BITS);
     for (unsigned axis = 0; axis < 3; axis++) {
         qv_coord advance = ray->advance[axis];
-        qv_coord point = ray->place[axis] + fx_multiply(advance, whole) +
-                         qv_phase_of(advance, (uint16_t)(position & 0xFFFF));
+        qv_coord point = ray->place[axis] + fx_multiply(advance, whole);
+        if ((position & 0xFFFF) != 0)
+            point += qv_phase_of(advance, (uint16_t)(position & 0xFFFF));
         run->ray.place[axis] = fx_shift_floor(point, level) + QV_CENTRED;
         run->ray.advance[axis] = advance; /* 2^level steps are so many voxels of the level */
     }

@@ -1,6 +1,7 @@
 #include "fx_phi.h"
 
 #include "fx_bits.h"
+#include "fx_inline.h"
 #include "fx_phi_table.h"
 #include "fx_wide.h"
 
@@ -20,7 +21,7 @@
  * of a segment backwards, every term grows with the distance. So rounding cannot
  * make the sum fall towards 0. position is Q0.32 of the octave.
  */
-static uint32_t octave_value(unsigned octave, uint32_t position)
+FX_INLINE uint32_t octave_value(unsigned octave, uint32_t position)
 {
     unsigned row = octave << SEGMENT_BITS | (unsigned)(position >> (32 - SEGMENT_BITS));
     uint32_t back = ~(position << SEGMENT_BITS); /* of a segment, Q0.32 */

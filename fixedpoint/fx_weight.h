@@ -64,11 +64,17 @@ static inline fx_tap fx_tap_of_square(uint32_t f)
     return fx_tap_of(f * f);
 }
 
-/* w * t, to nearest, ties upwards. */
+/* t, to nearest, ties upwards. */
+static inline fx_weight fx_weight_of_tap(fx_tap t)
+{
+    return fx_weight_of((fx_tap_bits(t) + 1u) >> 1);
+}
+
+/* w * t, to nearest, ties upwards, for w <= 3/4: w * t <= 3/4 * 2^32. */
 static inline fx_weight fx_weight_tap_mul(fx_weight w, fx_tap t)
 {
     FX_COUNT(fx_multiplications);
-    return fx_weight_of(fx_high_product(fx_weight_bits(w), fx_tap_bits(t) << 15));
+    return fx_weight_of((fx_weight_bits(w) * fx_tap_bits(t) + 65536u) >> 17);
 }
 
 static inline fx_weight fx_weight_add(fx_weight v, fx_weight w)

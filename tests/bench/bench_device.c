@@ -6,6 +6,7 @@
  */
 #include <stdbool.h>
 #include "measure.h"
+#include "stretch.h"
 #include "qvol.h"
 #include "semihosting.h"
 
@@ -25,15 +26,39 @@ static const mode modes[] = {
     {"rgba8", "nearest", &qv_nearest_rgba8},
     {"rgba8", "separate", &qv_separate_rgba8},
     {"rgba8", "weighted", &qv_weighted_rgba8},
+    {"rgba8", "corrected", &qv_corrected_rgba8},
+    {"rgba8", "extinction", &qv_extinction_rgba8},
+    {"rgba8", "bspline_weighted", &qv_bspline_weighted_rgba8},
+    {"rgba8", "bspline_extinction", &qv_bspline_extinction_rgba8},
     {"rgba16", "nearest", &qv_nearest_rgba16},
     {"rgba16", "separate", &qv_separate_rgba16},
     {"rgba16", "weighted", &qv_weighted_rgba16},
+    {"rgba16", "corrected", &qv_corrected_rgba16},
+    {"rgba16", "extinction", &qv_extinction_rgba16},
+    {"rgba16", "bspline_weighted", &qv_bspline_weighted_rgba16},
+    {"rgba16", "bspline_extinction", &qv_bspline_extinction_rgba16},
     {"indexed8", "nearest", &qv_nearest_indexed8},
     {"indexed8", "separate", &qv_separate_indexed8},
     {"indexed8", "weighted", &qv_weighted_indexed8},
+    {"indexed8", "corrected", &qv_corrected_indexed8},
+    {"indexed8", "extinction", &qv_extinction_indexed8},
+    {"indexed8", "bspline_weighted", &qv_bspline_weighted_indexed8},
+    {"indexed8", "bspline_extinction", &qv_bspline_extinction_indexed8},
     {"indexed8_16", "nearest", &qv_nearest_indexed8_16},
     {"indexed8_16", "separate", &qv_separate_indexed8_16},
     {"indexed8_16", "weighted", &qv_weighted_indexed8_16},
+    {"indexed8_16", "corrected", &qv_corrected_indexed8_16},
+    {"indexed8_16", "extinction", &qv_extinction_indexed8_16},
+    {"indexed8_16", "bspline_weighted", &qv_bspline_weighted_indexed8_16},
+    {"indexed8_16", "bspline_extinction", &qv_bspline_extinction_indexed8_16},
+    {"rgbt8", "extinction", &qv_extinction_rgbt8},
+    {"rgbt8", "bspline_extinction", &qv_bspline_extinction_rgbt8},
+    {"rgbt16", "extinction", &qv_extinction_rgbt16},
+    {"rgbt16", "bspline_extinction", &qv_bspline_extinction_rgbt16},
+    {"indexed8_t8", "extinction", &qv_extinction_indexed8_t8},
+    {"indexed8_t8", "bspline_extinction", &qv_bspline_extinction_indexed8_t8},
+    {"indexed8_t16", "extinction", &qv_extinction_indexed8_t16},
+    {"indexed8_t16", "bspline_extinction", &qv_bspline_extinction_indexed8_t16},
 };
 
 static uint16_t voxels[VOXELS * 4];
@@ -49,17 +74,22 @@ static uint16_t opacity(uint32_t voxel, bool sparse)
     return sparse && voxel >= EDGE * EDGE ? CLEAR : THIN;
 }
 
+static bool has_16_bits(qv_storage storage)
+{
+    return storage % 2 == 0;
+}
+
 static uint32_t fill_direct(qv_storage storage, bool sparse)
 {
     uint8_t *bytes = (uint8_t *)voxels;
     for (uint32_t i = 0; i < VOXELS * 4; i++) {
         uint16_t value = i % 4 == 3 ? opacity(i / 4, sparse) : (uint16_t)(i * 977);
-        if (storage == QV_STORAGE_RGBA16)
+        if (has_16_bits(storage))
             voxels[i] = value;
         else
             bytes[i] = (uint8_t)(value >> 8);
     }
-    return storage == QV_STORAGE_RGBA16 ? 8 : 4;
+    return has_16_bits(storage) ? 8 : 4;
 }
 
 static uint32_t fill_indexed(qv_storage storage, bool sparse)
@@ -69,7 +99,7 @@ static uint32_t fill_indexed(qv_storage storage, bool sparse)
         bytes[i] = opacity(i, sparse) == CLEAR ? 0 : (uint8_t)(1 + i % 255);
     for (uint32_t i = 0; i < QV_PALETTE_ENTRIES * 4; i++) {
         uint16_t value = i % 4 != 3 ? (uint16_t)(i * 977) : i < 4 ? CLEAR : THIN;
-        if (storage == QV_STORAGE_INDEXED8_16)
+        if (has_16_bits(storage))
             palette.rgba16[i / 4][i % 4] = value;
         else
             palette.rgba8[i / 4][i % 4] = (uint8_t)(value >> 8);
@@ -79,7 +109,8 @@ static uint32_t fill_indexed(qv_storage storage, bool sparse)
 
 static void make_volume(qv_volume *volume, qv_storage storage, bool sparse)
 {
-    bool indexed = storage == QV_STORAGE_INDEXED8 || storage == QV_STORAGE_INDEXED8_16;
+    bool indexed = storage == QV_STORAGE_INDEXED8 || storage == QV_STORAGE_INDEXED8_16 ||
+                   storage == QV_STORAGE_INDEXED8_T8 || storage == QV_STORAGE_INDEXED8_T16;
     uint32_t bytes = indexed ? fill_indexed(storage, sparse) : fill_direct(storage, sparse);
     *volume = (qv_volume){
         .voxels = (qv_address)voxels,
@@ -90,8 +121,7 @@ static void make_volume(qv_volume *volume, qv_storage storage, bool sparse)
     };
     if (indexed) {
         volume->palette = (qv_address)&palette;
-        volume->palette_bytes =
-            storage == QV_STORAGE_INDEXED8 ? QV_PALETTE8_BYTES : QV_PALETTE16_BYTES;
+        volume->palette_bytes = has_16_bits(storage) ? QV_PALETTE16_BYTES : QV_PALETTE8_BYTES;
     }
 }
 
@@ -102,6 +132,10 @@ static qv_status make_context(qv_context *context, const mode *m, bool sparse)
     qv_view view = {
         .pitch = QV_ONE_Q16 / 2, .step = QV_ONE_Q16 / 4, .width = WIDTH, .height = HEIGHT};
     make_volume(&scene.volume, (qv_storage)m->sampling->storage, sparse);
+    if (m->sampling->clip == qv_path_clip) { /* of a mode that weighs by length */
+        scene.volume.unit_distance = QV_ONE_Q16;
+        scene.volume.extinction = QV_ONE_Q16;
+    }
     qv_rotation(view.rotation, 0x0C000000u, 0x08000000u, 0);
     qv_status status = qv_orthographic(&scene.camera, &scene.volume, &view);
     return status == QV_OK ? qv_init(context, &scene) : status;
