@@ -61,8 +61,8 @@ static fx_unorm16 corrected_opacity(fx_unorm16 opacity, uint64_t ratio)
 
 static fx_unorm16 scaled_extinction(fx_unorm16 extinction, uint64_t ratio)
 {
-    uint64_t twice = product_shift32(ratio, (uint32_t)extinction << 16) >> 15; /* <= 2^38 */
-    return twice >= 2u * 65535u ? 65535u : (fx_unorm16)((twice + 1u) >> 1);
+    uint64_t scaled = (product_shift32(ratio, (uint32_t)extinction << 16) + 0x8000u) >> 16;
+    return scaled < 65535u ? (fx_unorm16)scaled : 65535u; /* <= 2^37 */
 }
 
 /* Storage of 8 or 16 bits, of the kind whose 8 bits are `kind`. */
