@@ -16,7 +16,7 @@
 #define CUBE_EDGE 40   /* world units of a slab that is seen askew */
 
 /* World units. */
-static const double steps[] = {1.0 / 8, 1.0 / 4, 1.0 / 2, 1, 2, 3, 4, 0.3, 1.37, 5.5};
+static const double steps[] = {1.0 / 8, 1.0 / 4, 1.0 / 2, 1, 2, 3, 4, 0.3, 1.37, 3.7};
 static const double spacings[] = {0.5, 1, 2};
 static const uint16_t phases[] = {0, 0x5eb1};
 
