@@ -160,6 +160,20 @@ static void the_plane_behind_the_eye(void **state)
     assert_int_equal(scene.level_distance, 1);
 }
 
+/* Farther than any eye that qv_init accepts: 2^24 steps of 1/16 count as 2^22. */
+static void an_eye_too_far_away(void **state)
+{
+    (void)state;
+
+    make(QV_ONE_Q16, QV_ONE_Q16 / 16);
+    qv_rotation(view.rotation, 0, 0, 0);
+    aim(0x20000000u);
+    scene.camera.along[0] = scene.camera.along[2] = 0;
+    scene.camera.along[1] = (qv_coord)1 << 52;
+    assert_int_equal(qv_detail(&scene, &view), QV_OK);
+    assert_int_equal(scene.level_distance, 1 << 22);
+}
+
 /* ---- What is refused ---- */
 
 static void expect_refused(qv_status expected)
@@ -219,6 +233,7 @@ int main(void)
         cmocka_unit_test(distances),
         cmocka_unit_test(distances_have_limits),
         cmocka_unit_test(the_plane_behind_the_eye),
+        cmocka_unit_test(an_eye_too_far_away),
         cmocka_unit_test(null_pointers_are_refused),
         cmocka_unit_test(bad_arguments_are_refused),
     };

@@ -3,6 +3,7 @@
  */
 #include "check.h"
 #include "downsample_fixture.h"
+#include "pyramid.h"
 
 /* ---- How many, how large ---- */
 
@@ -205,6 +206,7 @@ static void bad_pyramids_are_refused(void **state)
     expect_refused(1, QV_ERROR_LEVEL);
     pyramid.levels = 0;
     expect_refused(1, QV_ERROR_LEVEL);
+    assert_int_equal(qv_pyramid_check(&s.volume, &pyramid), QV_ERROR_LEVEL);
     pyramid.levels = 2;
     expect_refused(3, QV_ERROR_LEVEL);
     make(QV_STORAGE_RGBA16);
