@@ -206,6 +206,19 @@ static void full_values(void **state)
     }
 }
 
+/* Depths of 2^32 and more: the ratio times the depth of 65534 passes 2^64 here. */
+static void enormous_ratios(void **state)
+{
+    const uint16_t most[4] = {1, 2, 3, 65534};
+    const qv_entries from = {(const uint8_t *)most, 1, 1, 1, QV_STORAGE_RGBA16};
+    uint16_t to[4];
+    (void)state;
+    for (uint32_t ratio = 1u << 28; ratio < (1u << 28) + 1000; ratio++) {
+        assert_int_equal(qv_opacity_to_opacity(to, 8, QV_STORAGE_RGBA16, ratio, &from), QV_OK);
+        assert_int_equal(to[3], 65535);
+    }
+}
+
 /* With the same number, conversions within a kind only change the width. */
 static void same_number_keeps_the_value(void **state)
 {
@@ -350,7 +363,7 @@ static void errors(void **state)
         refused(which, QV_ERROR_BUFFER, &good, 11, c->to, 1);
         refused(which, QV_ERROR_BUFFER, &good, 23, c->to + 1u, 1);
         bad = good;
-        bad.count = 0xFFFFFFFF;
+        bad.count = 0x20000001; /* 8 bytes of each are 2^32 + 8 */
         refused(which, QV_ERROR_BUFFER, &bad, 64, c->to + 1u, 1);
         bad.count = 0;
         refused(which, QV_OK, &bad, 0, c->to + 1u, 1);
@@ -495,6 +508,7 @@ int main(void)
         cmocka_unit_test(another_unit_distance),
         cmocka_unit_test(another_extinction),
         cmocka_unit_test(full_values),
+        cmocka_unit_test(enormous_ratios),
         cmocka_unit_test(same_number_keeps_the_value),
         cmocka_unit_test(colours_are_rounded),
         cmocka_unit_test(in_place_and_unaligned),
