@@ -61,8 +61,8 @@ static fx_unorm16 corrected_opacity(fx_unorm16 opacity, uint64_t ratio)
 
 static fx_unorm16 scaled_extinction(fx_unorm16 extinction, uint64_t ratio)
 {
-    uint64_t twice = product_shift32(ratio, (uint32_t)extinction << 16) >> 15; /* <= 2^38 */
-    return twice >= 2u * 65535u ? 65535u : (fx_unorm16)((twice + 1u) >> 1);
+    uint64_t scaled = (product_shift32(ratio, (uint32_t)extinction << 16) + 0x8000u) >> 16;
+    return scaled < 65535u ? (fx_unorm16)scaled : 65535u; /* <= 2^37 */
 }
 
 /* Storage of 8 or 16 bits, of the kind whose 8 bits are `kind`. */
@@ -108,7 +108,8 @@ static qv_status check(const target *t, unsigned kind, const qv_entries *from, u
 }
 
 /* An entry is read before it is written, and is never written beyond where it was read
-   unless it widens: the source may be overwritten. */
+   unless it widens: the source may be overwritten. 0 stays 0 by itself, since its depth
+   from fx_log.h is not exactly 0. */
 static void convert(const target *t, const qv_entries *from, recode *fourth, uint64_t scale)
 {
     uint8_t *to = (uint8_t *)t->to;
@@ -116,7 +117,8 @@ static void convert(const target *t, const qv_entries *from, recode *fourth, uin
     for (uint32_t i = 0; i < from->count; i++) {
         fx_unorm16 entry[4];
         qv_entry_read(entry, at, from->storage);
-        entry[3] = fourth(entry[3], scale);
+        if (entry[3] != 0)
+            entry[3] = fourth(entry[3], scale);
         qv_entry_write(to, t->storage, entry);
         at = qv_at(at, (qv_offset)qv_entry_bytes(from->storage));
         to += qv_entry_bytes(t->storage);
@@ -199,7 +201,8 @@ qv_status qv_extinction_of(uint32_t *extinction, const qv_entries *from, uint32_
         return status;
 
     int any_opaque;
-    fx_depth depth = fx_depth_of_unorm16(greatest_opacity(&any_opaque, from));
+    fx_unorm16 most = greatest_opacity(&any_opaque, from);
+    fx_depth depth = most != 0 ? fx_depth_of_unorm16(most) : 0;
     uint32_t least = least_extinction(depth, from->unit_distance);
     if (opaque == 0)
         opaque = least_extinction(FX_OPAQUE_DEPTH, from->unit_distance);

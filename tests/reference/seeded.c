@@ -290,7 +290,9 @@ qv_status seeded_make_by_length(seeded_scene *made, uint32_t seed, qv_storage st
     const bool same = draw_once_in(&random, 4), named = draw_once_in(&random, 2);
     const qv_status status = make(made, &random, storage, &by_length);
     qv_volume *volume = &made->scene.volume;
-    volume->unit_distance = to_q16((same ? 1 : ratio) * made->view.step);
+    /* more than a depth of 64 for a step would make levels of the last bits of weights */
+    const bool opaque = made->filling == filling_names[WALLS];
+    volume->unit_distance = to_q16((same ? 1 : opaque ? fmax(ratio, 1) : ratio) * made->view.step);
     if (same && !named) {
         volume->unit_distance = 0; /* the step too */
     }

@@ -97,6 +97,20 @@ static void conversions(void **state)
     }
 }
 
+/* Within 1/2 + 2^-15 of the last place, in units of 2^-31 of it: 2^30 + 2^16. */
+static void from_31_fraction_bits(void **state)
+{
+    const uint64_t one = (uint64_t)1 << 31, most_off = (one >> 1) + 65536;
+    (void)state;
+
+    for (uint64_t v = 0; v <= one; v += v % 3 + 997) {
+        const uint64_t exact = v * 65535, result = fx_unorm16_of_q31((uint32_t)v) * one;
+        assert_in_range(result + most_off - exact, 0, 2 * most_off);
+    }
+    for (uint64_t i = 0; i < 65536; i++)
+        assert_int_equal(fx_unorm16_of_q31((uint32_t)((i * one + 32767) / 65535)), i);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -106,6 +120,7 @@ int main(void)
         cmocka_unit_test(products_of_8_bits),
         cmocka_unit_test(products_of_16_bits),
         cmocka_unit_test(conversions),
+        cmocka_unit_test(from_31_fraction_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -148,6 +148,42 @@ static void division(void **state)
     assert_true(fx_divide(0, 5) == 0);
 }
 
+/* round(n / d), ties upwards, without n + d / 2. */
+static uint64_t rounded(uint64_t n, uint64_t d)
+{
+    return n / d + (n % d >= d - d / 2);
+}
+
+static void quotients_of_16_bits(void **state)
+{
+    uint32_t seed = 71;
+    (void)state;
+
+    for (unsigned i = 0; i < ROUNDS; i++) {
+        const uint64_t d = any_length64(&seed) + 1;
+        const uint64_t any = any_length64(&seed), limit = UINT64_MAX - d / 2;
+        const uint64_t n = any < limit ? any : limit;
+        const uint64_t near = (d >> 17) * random_below(&seed, 131072) + random_below(&seed, 2);
+        assert_int_equal(fx_quotient16(n, d), rounded(n, d) < 65535 ? rounded(n, d) : 65535);
+        if (near < limit)
+            assert_int_equal(fx_quotient16(near, d), rounded(near, d));
+    }
+    assert_int_equal(fx_quotient16(5, 10), 1);
+    assert_int_equal(fx_quotient16(4, 10), 0);
+    assert_int_equal(fx_quotient16(4, 9), 0);
+    assert_int_equal(fx_quotient16(5, 9), 1);
+    assert_int_equal(fx_quotient16(131068, 2), 65534);
+    assert_int_equal(fx_quotient16(131069, 2), 65535);
+    assert_int_equal(fx_quotient16(131071, 2), 65535);
+    assert_int_equal(fx_quotient16(0xFFFF0000FFFFu, 0x100000001u), 65535);
+    assert_int_equal(fx_quotient16(UINT64_MAX, 1), 65535);
+    assert_int_equal(fx_quotient16(1, 0), 65535);
+    assert_int_equal(fx_quotient16(0, 0), 65535);
+    assert_int_equal(fx_quotient16(0, UINT64_MAX), 0);
+    assert_int_equal(fx_quotient16(UINT64_MAX >> 1, UINT64_MAX), 0);
+    assert_int_equal(fx_quotient16((uint64_t)1 << 63, UINT64_MAX), 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -157,6 +193,7 @@ int main(void)
         cmocka_unit_test(multiplication_by_a_signed_number),
         cmocka_unit_test(scaling_by_a_fraction),
         cmocka_unit_test(division),
+        cmocka_unit_test(quotients_of_16_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
