@@ -3,7 +3,7 @@
 #include "fx_wide.h"
 #include "layout.h"
 
-#define MOST_DISTANCE ((1u << 23) - 1u) /* of qv_scene.level_distance */
+#define MOST_DISTANCE (((uint32_t)1 << 23) - 1u) /* of qv_scene.level_distance */
 
 /* An eye that qv_init accepts is nearer to the volume's centre: at most 2^20 paces from
    the volume's origin on each axis, and the centre at most 2^19 from there. */

@@ -14,10 +14,10 @@ const qv_filter qv_filter_quad4 = {13, 19};
 #define FILTER_BITS 18u
 
 /*
- * Sums over voxels, each times its share of the filter. A weight is at most 2^30 and a
- * colour, whatever it is stored in, has 16 bits; so shares of f in all give weight <= 2^30 f and light <= 65535 *
- * 2^30 f. A column of voxels has f = 2^12, which keeps light below 2^58; a result has
- * f = 2^18, which keeps it below 2^64.
+ * Sums over voxels, each times its share of the filter. A weight is at most 2^30, and a
+ * colour has 16 bits, whatever it is stored in; so shares of f in all give weight <= 2^30 f
+ * and light <= 65535 * 2^30 f. A column of voxels has f = 2^12, which keeps light below
+ * 2^58; a result has f = 2^18, which keeps it below 2^64.
  */
 typedef struct sums {
     uint64_t weight;

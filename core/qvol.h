@@ -715,8 +715,8 @@ extern const qv_domain qv_domain_stored, qv_domain_extinction;
  * besides, an extinction is off by up to .61 * 2^-24: the fourth channel is within .51 of its
  * last place of real arithmetic, colours of 8 bits are too, and colours of 16 bits within .5 +
  * .0009 / (least opacity under the filter that is not 0), at most .51 once weighted by opacity.
- * Where all voxels under the filter have 0, the result is black. Works in a few dozen words,
- * whatever the size.
+ * Where all voxels under the filter have 0, the result is black. Works in some 600 bytes on
+ * the stack, whatever the size.
  * Returns QV_OK or an error of qv_volume_check (spacing is not read), or QV_ERROR_SIZE
  * (slices), _BUFFER, _LEVEL (finer has one voxel), _MIXTURE (a filter that does not sum
  * to 1), _STORAGE (qv_domain_extinction of stored extinction: take qv_domain_stored).
