@@ -611,11 +611,12 @@ typedef struct qv_entries {
  * value. The storage to make, and the unit distance or extinction that it is to have,
  * stand before the source. bytes is the memory at `to`, which needs no alignment and
  * may be the source itself unless 8 bits become 16.
- * Colours are rounded to nearest. The fourth channel is within .51 of its last place of
- * what real arithmetic makes of the stored value; where that is an opacity, of a depth
- * that differs from its own by at most 2^-27. 0 stays 0. Extinction beyond the full
- * value becomes the full value; full opacity has its depth of 64, but stays full opacity
- * for another unit distance.
+ * Colours are rounded to nearest. An opacity's depth is found within 2^-27; the fourth
+ * channel is within .51 of its last place of what real arithmetic makes of that depth, or
+ * of a stored extinction. 0 stays 0. Extinction beyond the full value becomes the full
+ * value; full opacity has its depth of 64, but stays full for another unit distance.
+ * 8-bit opacities come back unchanged from 16 bits of extinction where the full value's
+ * depth for the unit distance is 9 .. 64.
  * Each links only what it needs. Return QV_OK or QV_ERROR_NULL, _STORAGE (one of the two
  * is not of the kind in the name), _STRIDE (16-bit source at an odd address), _UNIT (0),
  * _EXTINCTION (0), _BUFFER.
@@ -660,7 +661,8 @@ qv_status qv_mix(qv_mixture *mixture, const qv_material *materials, const uint16
                  uint16_t count);
 
 /* A mixture as a voxel of QV_STORAGE_RGBT16 with this extinction of the full value, not 0:
-   each channel to nearest; extinction beyond the full value becomes it. */
+   each channel to nearest; extinction beyond the full value becomes it. Black where the
+   mixture's extinction is 0. */
 void qv_mixture_to_voxel(uint16_t rgbt[4], const qv_mixture *mixture, uint32_t extinction);
 
 /* ---- Pyramids --------------------------------------------------------------- */
