@@ -24,7 +24,7 @@ qv_status qv_orthographic(qv_camera *camera, const qv_volume *volume, const qv_v
     return QV_OK;
 }
 
-void qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int32_t y)
+int qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int32_t y)
 {
     const qv_camera *camera = &context->scene.camera;
     for (unsigned axis = 0; axis < 3; axis++) {
@@ -33,7 +33,8 @@ void qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int3
                            qv_phase_of(along, context->scene.phase);
         ray->advance[axis] = along;
     }
-    context->scene.sampling->clip(ray, context, -QV_GRID_LIMIT);
+    ray->first = -QV_GRID_LIMIT;
+    return 1;
 }
 
 /* The largest component of a unit vector is at least 1/sqrt(3) > 1/2: every rotation of

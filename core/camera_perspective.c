@@ -114,22 +114,22 @@ static int normalise(int32_t unit[3], const qv_coord direction[3])
     return 1;
 }
 
-void qv_ray_perspective(qv_ray *ray, const qv_context *context, int32_t x, int32_t y)
+int qv_ray_perspective(qv_ray *ray, const qv_context *context, int32_t x, int32_t y)
 {
     const qv_camera *camera = &context->scene.camera;
     qv_coord direction[3];
     int32_t unit[3];
     for (unsigned axis = 0; axis < 3; axis++)
         direction[axis] = qv_pixel_point(camera->along, camera, axis, x, y);
-    ray->samples = 0;
     if (!normalise(unit, direction))
-        return;
+        return 0;
     for (unsigned axis = 0; axis < 3; axis++) {
         ray->advance[axis] = fx_scale_q30(camera->pace[axis], unit[axis]);
         ray->place[axis] =
             camera->origin[axis] + qv_phase_of(ray->advance[axis], context->scene.phase);
     }
-    context->scene.sampling->clip(ray, context, 0);
+    ray->first = 0;
+    return 1;
 }
 
 /*

@@ -37,6 +37,7 @@ FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context,
                         qv_mode *mode)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
+    qv_ray_clip(ray, context);
     while (ray->samples != 0) {
         uint32_t colour[3], opacity;
         ray->samples--;
@@ -53,7 +54,8 @@ FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context,
     }
 }
 
-/* Turns a ray round: it starts at its last sample and runs towards the viewer. */
+/* Turns a ray round: it starts at its last sample and runs towards the viewer. Without
+   samples it goes anywhere, and nowhere is looked at. */
 FX_INLINE void qv_reverse(qv_ray *ray)
 {
     int32_t last = (int32_t)(ray->samples - 1u);
@@ -67,6 +69,7 @@ FX_INLINE void qv_reverse(qv_ray *ray)
 FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *context,
                              unsigned storage, qv_mode *mode)
 {
+    qv_ray_clip(ray, context);
     for (qv_reverse(ray); ray->samples != 0; ray->samples--) {
         uint32_t colour[3], opacity;
         if (qv_take(colour, &opacity, ray, &context->scene.volume, storage, mode))
@@ -90,10 +93,10 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
     {                                                                                              \
         qv_march_back(light, ray, context, storage, qv_sample_##mode);                             \
     }                                                                                              \
-    const qv_sampling qv_##mode##_##suffix = {qv_prepare_steps, qv_ray_clip, march_##suffix,       \
-                                              read_out, storage};                                  \
+    const qv_sampling qv_##mode##_##suffix = {qv_prepare_steps, march_##suffix, read_out,          \
+                                              storage};                                            \
     const qv_sampling qv_##mode##_##suffix##_back_to_front = {                                     \
-        qv_prepare_steps, qv_ray_clip, march_back_##suffix, read_out, storage};
+        qv_prepare_steps, march_back_##suffix, read_out, storage};
 
 #define QV_DEFINE_SAMPLINGS(mode)                                                                  \
     QV_DEFINE_SAMPLING(mode, rgba8, QV_STORAGE_RGBA8, QV_READ_OUT_8)                               \

@@ -57,6 +57,7 @@ FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *
 {
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
+    qv_path_clip(ray, context);
     while (qv_next_run(&run, ray, ray->leave, 0) &&
            qv_march_run(light, &gathered, &run, ray, context, storage, family))
         ;
@@ -70,6 +71,7 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
 {
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
+    qv_path_clip(ray, context);
     qv_path_reverse(ray);
     while (qv_next_run(&run, ray, ray->leave, 0)) {
         qv_medium medium;
@@ -98,10 +100,9 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     {                                                                                              \
         qv_march_lengths_back(light, ray, context, storage, family);                               \
     }                                                                                              \
-    const qv_sampling qv_##mode##_##suffix = {prepare, qv_path_clip, march_##suffix, read_out,     \
-                                              storage};                                            \
-    const qv_sampling qv_##mode##_##suffix##_back_to_front = {                                     \
-        prepare, qv_path_clip, march_back_##suffix, read_out, storage};
+    const qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage};         \
+    const qv_sampling qv_##mode##_##suffix##_back_to_front = {prepare, march_back_##suffix,        \
+                                                              read_out, storage};
 
 /* Opacity-based, of the four storages that hold opacity. */
 #define QV_DEFINE_CORRECTED_SAMPLINGS(mode, family)                                                \

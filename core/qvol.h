@@ -110,7 +110,7 @@ typedef enum qv_status {
     QV_ERROR_WINDOW = -14,     /* window of scalar values is empty or out of range */
     QV_ERROR_LIGHT = -15,      /* shading: zero vector or coefficient out of range */
     QV_ERROR_EXTINCTION = -16, /* extinction of the full value 0, or too much for a step */
-    QV_ERROR_MIXTURE = -17,    /* percentages sum to more than 1 */
+    QV_ERROR_MIXTURE = -17,    /* percentages sum to more than 1; a filter does not sum to 1 */
     QV_ERROR_LEVEL = -18       /* more levels than the size has, or a level without a pyramid */
 } qv_status;
 
@@ -184,7 +184,7 @@ struct qv_ray;
  * the two, and only that one is linked. The fields are the library's own.
  */
 typedef struct qv_projection {
-    void (*ray)(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y);
+    int (*ray)(struct qv_ray *ray, const struct qv_context *context, int32_t x, int32_t y);
     int (*in_range)(const struct qv_camera *camera);
 } qv_projection;
 
@@ -282,7 +282,6 @@ struct qv_light;
  */
 typedef struct qv_sampling {
     qv_status (*prepare)(struct qv_context *context, const struct qv_scene *scene);
-    void (*clip)(struct qv_ray *ray, const struct qv_context *context, int32_t first);
     void (*march)(struct qv_light *light, struct qv_ray *ray, const struct qv_context *context);
     uint32_t read_out; /* accumulated light to pixel levels, core/composite.h */
     uint8_t storage;   /* the qv_storage it reads */

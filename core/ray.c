@@ -55,13 +55,14 @@ static void narrow_to_slab(range *k, qv_coord place, qv_coord advance, qv_coord 
         k->last = last;
 }
 
-void qv_ray_clip(qv_ray *ray, const qv_context *context, int32_t first)
+void qv_ray_clip(qv_ray *ray, const qv_context *context)
 {
     const uint16_t *size = context->scene.volume.size;
-    range k = {first, QV_GRID_LIMIT - 1};
+    range k = {ray->first, QV_GRID_LIMIT - 1};
     for (unsigned axis = 0; axis < 3; axis++)
         narrow_to_slab(&k, ray->place[axis], ray->advance[axis], (qv_coord)size[axis] << 32);
-    ray->samples = k.last < k.first ? 0u : (uint32_t)(k.last - k.first) + 1u;
+    ray->all = k.last < k.first ? 0u : (uint32_t)(k.last - k.first) + 1u;
+    ray->samples = ray->all;
     /* where samples remain, the point lies in the box: no overflow */
     if (ray->samples != 0)
         for (unsigned axis = 0; axis < 3; axis++)

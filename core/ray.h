@@ -15,27 +15,30 @@
 #define QV_CENTRED (((qv_coord)1 << 23) - ((qv_coord)1 << 31))
 
 /*
- * The ray's next sample and what remains of it. `place` is the sample's point in
- * voxel coordinates plus QV_CENTRED.
+ * A ray. As a projection makes it, place is the point of sample 0 in voxel coordinates. As
+ * a mode samples it, place is the next sample's point plus QV_CENTRED, and samples are
+ * those that remain.
  */
 typedef struct qv_ray {
-    qv_coord place[3];    /* Q31.32 */
+    qv_coord place[3];    /* Q31.32, |place| < 2^62 */
     qv_coord advance[3];  /* voxels from sample to sample, Q31.32 */
-    uint32_t samples;     /* that remain */
+    int32_t first;        /* least sample number: 0 in perspective, else -QV_GRID_LIMIT */
+    uint32_t all;         /* samples in the box */
+    uint32_t samples;     /* that remain of them */
     int64_t enter, leave; /* of modes that weigh by length: where the way begins and ends */
 } qv_ray;
 
 /*
- * Clips a ray to the box of a scene's volume. On entry place is the point of sample 0 in
- * voxel coordinates, |place| < 2^62; on return the ray stands at its first
- * sample k >= first with 0 <= p < size on every axis, and samples counts those
- * up to the last. Exact: the same samples as testing each of them.
+ * Clips a ray to the box of a scene's volume: from then on it stands at its first sample
+ * k >= first with 0 <= p < size on every axis, and all and samples count those up to the
+ * last. Exact: the same samples as testing each of them.
  */
-void qv_ray_clip(qv_ray *ray, const qv_context *context, int32_t first);
+void qv_ray_clip(qv_ray *ray, const qv_context *context);
 
-/* The rays of qv_projection_orthographic and qv_projection_perspective. */
-void qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);
-void qv_ray_perspective(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);
+/* The rays of qv_projection_orthographic and qv_projection_perspective. Return whether
+   there is one: 0 where the direction is too short. */
+int qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);
+int qv_ray_perspective(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);
 
 /* The point of pixel (x, y): base + x*across + y*down. |x|, |y| < 2^15 and
    components within the ranges of qv_camera keep it below 2^61. */

@@ -23,11 +23,10 @@ static void render_pixel(qv_pixel *pixel, qv_progress *progress, const qv_contex
 {
     qv_ray ray;
     qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
-    context->scene.camera.projection->ray(&ray, context, x, y);
-    progress->samples += ray.samples;
-    if (ray.samples != 0)
+    if (context->scene.camera.projection->ray(&ray, context, x, y)) {
         context->scene.sampling->march(&light, &ray, context);
-    progress->samples -= ray.samples; /* those that were not taken */
+        progress->samples += ray.all - ray.samples; /* those that were taken */
+    }
     progress->skipped += light.skipped;
     progress->terminated += (uint32_t)light.terminated;
     finish(pixel, &light, context);

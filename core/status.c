@@ -45,7 +45,7 @@ const char *qv_status_text(qv_status status)
     case QV_ERROR_EXTINCTION:
         return "extinction 0, or too much for one step";
     case QV_ERROR_MIXTURE:
-        return "percentages of materials sum to more than 1";
+        return "percentages of materials, or taps of a filter, do not sum to 1";
     case QV_ERROR_LEVEL:
         return "pyramid missing, or its levels more than the volume has";
     }

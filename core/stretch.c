@@ -83,16 +83,17 @@ static int32_t stretch_of(int64_t position)
     return (int32_t)fx_shift_floor(position + HALF_STEP, FRACTION_BITS);
 }
 
-void qv_path_clip(qv_ray *ray, const qv_context *context, int32_t first)
+void qv_path_clip(qv_ray *ray, const qv_context *context)
 {
     const qv_scene *scene = &context->scene;
-    ray->enter = first == 0 ? -(int64_t)(scene->phase & ~1u) : -FARTHEST;
+    ray->enter = ray->first == 0 ? -(int64_t)(scene->phase & ~1u) : -FARTHEST;
     ray->leave = FARTHEST;
     for (unsigned axis = 0; axis < 3; axis++)
         narrow_to_slab(ray, axis, (qv_coord)scene->volume.size[axis] << 32);
-    ray->samples = 0;
+    ray->all = 0;
     if (ray->enter < ray->leave)
-        ray->samples = (uint32_t)(stretch_of(ray->leave - 1) - stretch_of(ray->enter)) + 1u;
+        ray->all = (uint32_t)(stretch_of(ray->leave - 1) - stretch_of(ray->enter)) + 1u;
+    ray->samples = ray->all;
 }
 
 /* Puts a run's ray to a position, in voxels of the level. The way there is below 2^23

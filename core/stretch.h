@@ -20,11 +20,11 @@ typedef struct qv_run {
 
 /*
  * Finds enter and leave of a ray: the way through the box of the scene's volume, in
- * perspective (first = 0) from the eye on. On entry place is the point of sample 0,
- * |place| < 2^62, and stays. samples counts the pieces, 0 where the ray misses.
+ * perspective from the eye on. place stays. all and samples count the pieces, 0 where the
+ * ray misses.
  * enter and leave are cut to 2^-15 step towards sample 0.
  */
-void qv_path_clip(qv_ray *ray, const qv_context *context, int32_t first);
+void qv_path_clip(qv_ray *ray, const qv_context *context);
 
 /*
  * Takes the next run off a ray, up to the position `end` at most: one piece up to the

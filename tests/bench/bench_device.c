@@ -6,7 +6,6 @@
  */
 #include <stdbool.h>
 #include "measure.h"
-#include "stretch.h"
 #include "qvol.h"
 #include "semihosting.h"
 
@@ -132,7 +131,7 @@ static qv_status make_context(qv_context *context, const mode *m, bool sparse)
     qv_view view = {
         .pitch = QV_ONE_Q16 / 2, .step = QV_ONE_Q16 / 4, .width = WIDTH, .height = HEIGHT};
     make_volume(&scene.volume, (qv_storage)m->sampling->storage, sparse);
-    if (m->sampling->clip == qv_path_clip) { /* of a mode that weighs by length */
+    if (m->sampling->prepare != qv_nearest_rgba8.prepare) { /* a mode that weighs by length */
         scene.volume.unit_distance = QV_ONE_Q16;
         scene.volume.extinction = QV_ONE_Q16;
     }

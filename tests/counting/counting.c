@@ -49,6 +49,7 @@ static qv_scene scene_for(const qv_sampling *sampling)
     qv_view view = {{{0}}, QV_ONE_Q16, QV_ONE_Q16 / 2u, FRAME, FRAME};
     const void *memory = voxels, *entries = palette;
     scene.sampling = sampling;
+    scene.volume.extinction = QV_ONE_Q16 / 256u; /* no ray is to end early */
     scene.volume.voxels = memory;
     scene.volume.voxels_bytes = sizeof voxels;
     scene.volume.storage = sampling->storage;
@@ -91,16 +92,16 @@ static void count_frame(const char *name, const qv_sampling *sampling)
    2^-16 in each of eight weights. */
 static int same_as_tree(uint8_t rgba[8][4])
 {
-    qv_volume volume = {0};
+    qv_volume volume = {.voxels = rgba[0], .size = {2, 2, 2}, .stride = {4, 8, 16}};
+    qv_ray ray = {.samples = 1};
     uint8_t fraction[3];
-    qv_cell cell = {rgba[0], {4, 8, 16}, {fx_fraction_of(0), fx_fraction_of(0), fx_fraction_of(0)}};
     qv_sample sample;
     tree_number tree[4];
     for (unsigned axis = 0; axis < 3; axis++) {
         fraction[axis] = (uint8_t)next_random();
-        cell.fraction[axis] = fx_fraction_of(fraction[axis]);
+        ray.place[axis] = (qv_coord)fraction[axis] << 24;
     }
-    if (!qv_sample_weighted(&sample, &cell, &volume, QV_STORAGE_RGBA8))
+    if (!qv_sample_weighted(&sample, &ray, &volume, QV_STORAGE_RGBA8))
         return 0;
     tree_weighted(tree, rgba, fraction);
     int64_t worst = llabs((int64_t)fx_share_bits(sample.opacity) * 256 - tree[3].bits) / 255;
@@ -146,6 +147,18 @@ int main(void)
     count_frame("weighted rgba16", &qv_weighted_rgba16);
     count_frame("weighted indexed8", &qv_weighted_indexed8);
     count_frame("weighted indexed8_16", &qv_weighted_indexed8_16);
+    count_frame("corrected rgba8", &qv_corrected_rgba8);
+    count_frame("corrected rgba16", &qv_corrected_rgba16);
+    count_frame("corrected indexed8", &qv_corrected_indexed8);
+    count_frame("corrected indexed8_16", &qv_corrected_indexed8_16);
+    count_frame("extinction rgba8", &qv_extinction_rgba8);
+    count_frame("extinction rgba16", &qv_extinction_rgba16);
+    count_frame("extinction indexed8", &qv_extinction_indexed8);
+    count_frame("extinction indexed8_16", &qv_extinction_indexed8_16);
+    count_frame("extinction rgbt8", &qv_extinction_rgbt8);
+    count_frame("extinction rgbt16", &qv_extinction_rgbt16);
+    count_frame("extinction indexed8_t8", &qv_extinction_indexed8_t8);
+    count_frame("extinction indexed8_t16", &qv_extinction_indexed8_t16);
     count_frame("separate rgba8", &qv_separate_rgba8);
     count_frame("separate rgba16", &qv_separate_rgba16);
     count_frame("separate indexed8", &qv_separate_indexed8);

@@ -59,7 +59,8 @@ static inline void fixture_clip(qv_ray *ray, const uint16_t size[3], int32_t fir
 {
     qv_context context;
     memcpy(context.scene.volume.size, size, sizeof context.scene.volume.size);
-    qv_ray_clip(ray, &context, first);
+    ray->first = first;
+    qv_ray_clip(ray, &context);
 }
 
 /* ---- Volumes ------------------------------------------------------------ */

@@ -23,8 +23,9 @@ static void make(const qv_view *view, qv_angle field_of_view)
 static qv_ray ray_of(int32_t x, int32_t y)
 {
     const qv_context context = fixture_context(&f);
-    qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 0, 0, 0};
-    qv_ray_perspective(&ray, &context, x, y);
+    qv_ray ray = {.samples = 0};
+    if (qv_ray_perspective(&ray, &context, x, y))
+        qv_ray_clip(&ray, &context);
     return ray;
 }
 

@@ -167,6 +167,7 @@ static void expect_pixels(const uint8_t rgba[4], int within_box)
         for (int32_t x = 0; x < FIXTURE_WIDTH; x++) {
             qv_ray ray;
             context.scene.camera.projection->ray(&ray, &context, x, y);
+            qv_ray_clip(&ray, &context);
             if ((ray.samples != 0) != within_box)
                 continue;
             compared++;

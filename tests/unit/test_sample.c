@@ -47,19 +47,17 @@ static void voxel_at(uint32_t rgba[4], const int32_t at[3])
 
 /* ---- Points ---- */
 
-/* A point in 256ths of a voxel, and the cell that holds it. */
+/* A point in 256ths of a voxel, and a ray whose sample it is. */
 typedef struct point {
     int32_t at[3];
 } point;
 
-static qv_cell cell_at(const point *p)
+static qv_ray ray_at(const point *p)
 {
-    qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 1, 0, 0};
-    qv_cell cell;
+    qv_ray ray = {.samples = 1};
     for (unsigned axis = 0; axis < 3; axis++) /* less 1/2 and plus 1/512, as a ray holds it */
         ray.place[axis] = p->at[axis] * (VOXEL / 256) - VOXEL / 2 + VOXEL / 512;
-    qv_cell_locate(&cell, &f.scene.volume, &ray);
-    return cell;
+    return ray;
 }
 
 static point random_point(uint32_t *seed)
@@ -142,9 +140,9 @@ static exact nearest(const point *p, unsigned storage)
 static void expect_sample(qv_mode *mode, const point *p, const exact *expected)
 {
     const unsigned storage = f.scene.volume.storage;
-    const qv_cell cell = cell_at(p);
-    qv_sample sample = {{fx_sum_of(0), fx_sum_of(0), fx_sum_of(0)}, fx_share_of(0)};
-    const int seen = mode(&sample, &cell, &f.scene.volume, storage);
+    const qv_ray ray = ray_at(p);
+    qv_sample sample = {{fx_sum_of(0), fx_sum_of(0), fx_sum_of(0)}, fx_share_of(0), 0};
+    const int seen = mode(&sample, &ray, &f.scene.volume, storage);
     assert_int_equal(fx_share_bits(sample.opacity), expected->opacity);
     for (unsigned c = 0; c < 3; c++)
         assert_int_equal(fx_sum_bits(sample.light[c]), expected->light[c]);
@@ -254,7 +252,7 @@ static void cells_without_opacity_are_not_seen(void **state)
         fixture_make(&f, storages[s], 43);
         for (unsigned i = 0; i < 3000; i++) {
             const point p = random_point(&seed);
-            const qv_cell cell = cell_at(&p);
+            const qv_ray ray = ray_at(&p);
             corners eight;
             uint32_t any = 0;
             corners_of(&eight, &p);
@@ -263,7 +261,7 @@ static void cells_without_opacity_are_not_seen(void **state)
             for (unsigned m = 0; m < 3; m++) {
                 const uint64_t seen = m == 0 ? nearest(&p, f.scene.volume.storage).opacity : any;
                 qv_sample sample;
-                assert_int_equal(modes[m](&sample, &cell, &f.scene.volume, f.scene.volume.storage),
+                assert_int_equal(modes[m](&sample, &ray, &f.scene.volume, f.scene.volume.storage),
                                  seen != 0);
             }
         }
@@ -321,7 +319,7 @@ static void points_round_to_nearest(void **state)
     fixture_make(&f, &qv_nearest_rgba8, 1);
     for (unsigned i = 0; i < 4; i++)
         for (unsigned axis = 0; axis < 3; axis++) {
-            qv_ray ray = {{0, 0, 0}, {0, 0, 0}, 1, 0, 0};
+            qv_ray ray = {.samples = 0};
             qv_cell cell;
             ray.place[axis] = VOXEL + offset[i] + VOXEL / 512;
             qv_cell_locate(&cell, &f.scene.volume, &ray);

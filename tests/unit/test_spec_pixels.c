@@ -98,9 +98,9 @@ static qv_light gathered;
 
 static void gather(qv_light *light, qv_ray *ray, const qv_context *context)
 {
-    (void)ray;
-    (void)context;
-    *light = gathered;
+    qv_ray_clip(ray, context);
+    if (ray->samples != 0)
+        *light = gathered;
 }
 
 static void store_channels(uint8_t *row, uint32_t column, uint32_t line, const qv_pixel *pixel)
@@ -114,8 +114,7 @@ static void expect_channels(const qv_sampling *sampling, const uint8_t backgroun
                             const uint32_t expected[4])
 {
     static const qv_format channels = {store_channels, 128, 0};
-    const qv_sampling mode = {sampling->prepare, sampling->clip, gather, sampling->read_out,
-                              sampling->storage};
+    const qv_sampling mode = {sampling->prepare, gather, sampling->read_out, sampling->storage};
     const qv_rect rect = {x, 0, x + 1, 1};
     uint32_t pixel[4];
     const qv_image image = {pixel, sizeof pixel, sizeof pixel, &channels};

@@ -28,14 +28,12 @@ typedef struct inventory {
 
 static void count_ray(inventory *all, qv_ray *ray)
 {
-    qv_cell cell;
     qv_sample sample;
     all->rays += ray->samples > 0;
     all->longer += ray->samples > 1;
     all->samples += ray->samples;
     for (; ray->samples != 0; ray->samples--) {
-        qv_cell_locate(&cell, &f.scene.volume, ray);
-        all->transparent += !qv_sample_weighted(&sample, &cell, &f.scene.volume, QV_STORAGE_RGBA8);
+        all->transparent += !qv_sample_weighted(&sample, ray, &f.scene.volume, QV_STORAGE_RGBA8);
         for (unsigned axis = 0; axis < 3; axis++)
             ray->place[axis] += ray->advance[axis];
     }
@@ -49,6 +47,7 @@ static inventory count(void)
         for (int32_t x = 0; x < FIXTURE_WIDTH; x++) {
             qv_ray ray;
             qv_ray_orthographic(&ray, &context, x, y);
+            qv_ray_clip(&ray, &context);
             count_ray(&all, &ray);
         }
     return all;
