@@ -61,13 +61,14 @@ $(TABLE_GENERATOR): $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/tables/*.c))
 	@$(CC) $(CFLAGS) $^ -lmpfr -lgmp -o $@
 
 # The papers' figures: a program for each paper, of a folder of its own and what all share.
-PAPER_PROGRAMS := $(TEST_OUT)/papers/wittenbrink
+PAPER_PROGRAMS := $(TEST_OUT)/papers/wittenbrink $(TEST_OUT)/papers/kraus
 paper_objects = $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/papers/*.c tests/papers/$(1)/*.c))
 
 .PHONY: paper-programs
 paper-programs: $(PAPER_PROGRAMS)
 
 $(TEST_OUT)/papers/wittenbrink: $(call paper_objects,wittenbrink)
+$(TEST_OUT)/papers/kraus: $(call paper_objects,kraus)
 
 $(PAPER_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 	@mkdir -p $(@D)

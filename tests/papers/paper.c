@@ -27,6 +27,11 @@ uint16_t paper_channel(double fraction)
     return (uint16_t)floor(fraction * PAPER_FULL + 0.5);
 }
 
+static uint32_t q16(double length)
+{
+    return (uint32_t)floor(length * QV_ONE_Q16 + 0.5);
+}
+
 /* ---- Volumes -------------------------------------------------------------- */
 
 void paper_volume_make(paper_volume *made, unsigned nx, unsigned ny, unsigned nz)
@@ -52,6 +57,17 @@ void paper_volume_free(paper_volume *made)
     made->voxels = NULL;
 }
 
+void paper_hold_extinction(paper_volume *made, double tau)
+{
+    made->volume.storage = QV_STORAGE_RGBT16;
+    made->volume.extinction = q16(tau / log(2));
+}
+
+double paper_opacity(double tau, double length)
+{
+    return 1 - exp(-tau * length);
+}
+
 uint16_t *paper_voxel(const paper_volume *of, unsigned x, unsigned y, unsigned z)
 {
     const uint16_t *size = of->volume.size;
@@ -71,16 +87,36 @@ void paper_volume_fill(const paper_volume *made, paper_fill *fill, const void *f
     }
 }
 
+void paper_pyramid_make(paper_pyramid *made, const qv_volume *volume, const qv_filter *filter,
+                        const qv_domain *domain, uint8_t levels)
+{
+    made->pyramid.levels = levels;
+    made->pyramid.bytes = qv_pyramid_bytes(volume->size, volume->storage, levels);
+    made->voxels = paper_memory((size_t)made->pyramid.bytes, 1);
+    made->pyramid.voxels = made->voxels;
+    for (uint8_t number = 0; number < levels; number++) {
+        qv_volume finer, coarser;
+        paper_require(qv_pyramid_level(&finer, volume, &made->pyramid, number) == QV_OK &&
+                          qv_pyramid_level(&coarser, volume, &made->pyramid, number + 1u) == QV_OK,
+                      "cannot describe a level");
+        uint8_t *voxels = made->voxels + (coarser.voxels - made->pyramid.voxels);
+        paper_require(qv_downsample(voxels, (size_t)coarser.voxels_bytes, &finer, filter, domain, 0,
+                                    coarser.size[2]) == QV_OK,
+                      "cannot downsample");
+    }
+}
+
+void paper_pyramid_free(paper_pyramid *made)
+{
+    free(made->voxels);
+    made->voxels = NULL;
+}
+
 /* ---- Views ---------------------------------------------------------------- */
 
 static qv_angle binary_angle(double degrees)
 {
     return (qv_angle)(int64_t)floor(degrees / 360 * 4294967296.0 + 0.5);
-}
-
-static uint32_t q16(double length)
-{
-    return (uint32_t)floor(length * QV_ONE_Q16 + 0.5);
 }
 
 void paper_look(qv_scene *scene, const paper_view *view)
@@ -127,7 +163,7 @@ void paper_close(FILE *file)
 
 void paper_table_begin(FILE *table, const char *title)
 {
-    fprintf(table, "# %s\n\n", title);
+    fprintf(table, "%s\n\n", title);
     fputs("| what | paper | double precision | ours | difference | allowed |\n", table);
     fputs("|---|---|---|---|---|---|\n", table);
 }

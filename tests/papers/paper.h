@@ -39,9 +39,25 @@ void paper_volume_free(paper_volume *made);
 /* The channels of a voxel. */
 uint16_t *paper_voxel(const paper_volume *of, unsigned x, unsigned y, unsigned z);
 
+/* Lets the fourth channel hold extinction, of which the full value is tau (in base e). */
+void paper_hold_extinction(paper_volume *made, double tau);
+
+/* Kraus and Buerger's equation 3: the opacity of tau over a length. */
+double paper_opacity(double tau, double length);
+
 /* Called for each voxel to fill it; `from` is the caller's own. */
 typedef void paper_fill(uint16_t rgba[4], const unsigned at[3], const void *from);
 void paper_volume_fill(const paper_volume *made, paper_fill *fill, const void *from);
+
+/* A pyramid of a volume, and its memory. */
+typedef struct paper_pyramid {
+    qv_pyramid pyramid;
+    uint8_t *voxels;
+} paper_pyramid;
+
+void paper_pyramid_make(paper_pyramid *made, const qv_volume *volume, const qv_filter *filter,
+                        const qv_domain *domain, uint8_t levels);
+void paper_pyramid_free(paper_pyramid *made);
 
 /* ---- Views ---------------------------------------------------------------- */
 
@@ -71,8 +87,9 @@ void paper_render(paper_picture *made, const qv_scene *scene, uint32_t width, ui
 void paper_picture_make(paper_picture *made, uint32_t width, uint32_t height);
 void paper_picture_free(paper_picture *made);
 
-/* Pixel (0, 0) alone. */
+/* Pixel (0, 0) alone, by the library and by the reference. */
 void paper_render_ray(double rgba[4], const qv_scene *scene);
+void paper_reference_ray(double rgba[4], const qv_scene *scene, ref_mode mode);
 
 /* The pixels of every paper_lattice'th row and column in double precision. */
 enum { paper_lattice = 5 };
@@ -108,6 +125,7 @@ typedef struct paper_row {
     double exact, ours, allowed;
 } paper_row;
 
+/* A title with its level of heading, and the head of a table. */
 void paper_table_begin(FILE *table, const char *title);
 void paper_table_add(FILE *table, const paper_row *row);
 

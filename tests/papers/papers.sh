@@ -64,7 +64,37 @@ wittenbrink() {
         torus-weighted "opacity-weighted" torus-difference "difference"
 }
 
-[ $# -gt 0 ] || set -- wittenbrink
+# ---- Kraus and Buerger 2008 -----------------------------------------------------
+
+wall_sheet() { # wall_sheet FIGURE BASIS
+    sheet "figure$1" "Figure $1: a wall of one voxel, $2-based sampling, tau 4" 3 \
+        "wall-$2-0.7" "d = 0.7" "wall-$2-1.7" "d = 1.7" "wall-$2-2.2" "d = 2.2"
+}
+
+# Levels as rows of a contact sheet: SUBJECT-BASIS-LEVEL, and what to call each.
+pyramid_sheet() {
+    set --
+    for subject in head dome shell; do
+        for basis in opacity extinction; do
+            for level in 0 1 2 3 4; do
+                set -- "$@" "$subject-$basis-$level" "$subject, by $basis: level $level"
+            done
+        done
+    done
+    sheet pyramids "Pyramids, 4-tap box. The head's skin hides a blue inside; dome: opacity 0.98, shell: 0.5" 5 "$@"
+}
+
+kraus() {
+    pyramid_sheet
+    plot figure4
+    plot filters
+    wall_sheet 5 opacity
+    wall_sheet 6 extinction
+    sheet figure7 "Figure 7: scattered opaque voxels, d = 1" 2 \
+        scattered-opacity "opacity-based sampling" scattered-extinction "extinction-based sampling"
+}
+
+[ $# -gt 0 ] || set -- wittenbrink kraus
 for paper in "$@"; do
     compute "$paper"
     "$paper"

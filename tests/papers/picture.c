@@ -66,6 +66,13 @@ void paper_render_ray(double rgba[4], const qv_scene *scene)
     paper_picture_free(&pixel);
 }
 
+void paper_reference_ray(double rgba[4], const qv_scene *scene, ref_mode mode)
+{
+    ref_pixel pixel;
+    ref_render(&pixel, scene, mode, 0, 0);
+    memcpy(rgba, pixel.rgba, sizeof pixel.rgba);
+}
+
 static uint32_t thinned(uint32_t length)
 {
     return (length + paper_lattice - 1) / paper_lattice;
