@@ -1,5 +1,9 @@
 /*
- * level.h - which level of a pyramid a ray sees where.
+ * level.h - which levels of a pyramid a ray sees where, and how two are blended.
+ *
+ * A ray's pieces on level l are 2^l steps long; their borders are those borders between
+ * the stretches of single steps that lie 2^l apart, from that of stretch 0 on. A point of
+ * the volume lies at 2^-l of its coordinates on level l.
  */
 #ifndef QV_LEVEL_H
 #define QV_LEVEL_H
@@ -8,25 +12,39 @@
 
 /* A part of a ray that sees one level, or two blended. */
 typedef struct qv_span {
-    int64_t end;    /* position where it ends at the latest */
-    unsigned level; /* the finer of the two */
-    uint32_t blend; /* share of the coarser at the ray's next piece, Q0.32; 0: none */
-    uint32_t rise;  /* of the share from piece to piece */
+    int64_t end;     /* the position up to which */
+    unsigned level;  /* the finer of the two */
+    uint32_t octave; /* stretch from which the coarser comes in, all in at twice that; or 0 */
+    uint32_t blend;  /* share of the coarser in the next piece, Q0.32; 0: it is not read */
+    uint32_t rise;   /* of that share from piece to piece */
 } qv_span;
 
 /*
- * The span that a ray's next piece lies in. With qv_scene.level_distance J, the level at
- * stretch j of the ray is, counted from the whole part of qv_scene.level, 0 where j < J and
- * o + (j - J 2^o) / (J 2^o) where J 2^o <= j < J 2^(o + 1); at most the coarsest. j is that
- * of the piece's middle, except that o is that of its beginning.
+ * The span that a ray's next piece lies in. Everywhere qv_scene.level, where
+ * level_distance is 0. With a distance D the level is the whole part of qv_scene.level up
+ * to stretch D, and rises by o + (j - 2^o D) / (2^o D) at j from 2^o D to 2^(o+1) D. It
+ * stops at the coarsest. j is where the middle of a piece lies, in steps from the border
+ * of stretch 0; o is that of the stretch where the piece begins.
  */
 void qv_span_begin(qv_span *span, const qv_ray *ray, const qv_scene *scene);
 
-/* The share of the coarser level at the middle of the run that was taken from the span. */
-void qv_span_blend(qv_span *span, const qv_run *run, int64_t begin, const qv_scene *scene);
+/* Sets the share of the coarser level, and its rise, for a run taken from the span, which
+   began at this position. */
+void qv_span_blend(qv_span *span, int64_t begin, const qv_run *run);
 
-/* Whether the scene has a pyramid, and the level is one of it. QV_OK, or an error of
-   qv_pyramid_check, QV_ERROR_LEVEL. */
+/* Two neighbouring levels as volumes. */
+typedef struct qv_levels {
+    qv_volume volume[2];
+    unsigned finer; /* number of the first; QV_NO_LEVEL at the start */
+} qv_levels;
+
+#define QV_NO_LEVEL 255u
+
+/* Makes the levels those of a span. The second is only described where it exists. */
+void qv_levels_describe(qv_levels *levels, unsigned finer, const qv_scene *scene);
+
+/* Whether the scene has a pyramid, and the level is one of its. QV_OK, QV_ERROR_LEVEL or
+   an error of qv_pyramid_check. */
 qv_status qv_level_check(const qv_scene *scene);
 
 #endif /* QV_LEVEL_H */

@@ -24,12 +24,29 @@ FX_INLINE void qv_advance_run(qv_run *run)
         run->ray.place[axis] += run->ray.advance[axis];
 }
 
+/* What a ray looks at: one volume, or two levels of a span. */
+typedef struct qv_sight {
+    const qv_volume *volume[2];
+    struct qv_span *span;
+} qv_sight;
+
+/* Looks at the point where a ray stands; returns 0 where there is nothing to see. */
+typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_sight *sight, unsigned storage,
+                    const qv_family *family);
+
+FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
+                                unsigned storage, const qv_family *family)
+{
+    return family->mode(sample, ray, sight->volume[0], storage);
+}
+
 /*
  * Front to back through one run. ray->samples counts down to the pieces that were not
  * taken. Returns 0 where the ray ends here, for lack of transmittance.
  */
 FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, qv_ray *ray,
-                           const qv_context *context, unsigned storage, const qv_family *family)
+                           const qv_context *context, unsigned storage, const qv_family *family,
+                           qv_look *look, const qv_sight *sight)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_medium medium;
@@ -37,7 +54,7 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
     ray->samples -= run->ray.samples;
     for (; run->ray.samples != 0; qv_advance_run(run)) {
         qv_sample sample;
-        if (!family->mode(&sample, &run->ray, &context->scene.volume, storage)) {
+        if (!look(&sample, &run->ray, sight, storage, family)) {
             light->skipped++;
             continue;
         }
@@ -55,11 +72,13 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
 FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *context,
                                 unsigned storage, const qv_family *family)
 {
+    const qv_sight sight = {{&context->scene.volume, 0}, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
     qv_path_clip(ray, context);
     while (qv_next_run(&run, ray, ray->leave, 0) &&
-           qv_march_run(light, &gathered, &run, ray, context, storage, family))
+           qv_march_run(light, &gathered, &run, ray, context, storage, family, qv_look_at_volume,
+                        &sight))
         ;
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);
@@ -91,7 +110,7 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
  * Defines the sampling mode qv_MODE_SUFFIX of a family for a storage, in both orders.
  * Macros because the descriptors are public names; the code is qv_march_lengths.
  */
-#define QV_DEFINE_LENGTH_SAMPLING(mode, suffix, prepare, family, read_out, storage)                \
+#define QV_DEFINE_LENGTHS(mode, suffix, prepare, family, read_out, storage)                        \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
         qv_march_lengths(light, ray, context, storage, family);                                    \
@@ -104,37 +123,29 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     const qv_sampling qv_##mode##_##suffix##_back_to_front = {prepare, march_back_##suffix,        \
                                                               read_out, storage};
 
-/* Opacity-based, of the four storages that hold opacity. */
-#define QV_DEFINE_CORRECTED_SAMPLINGS(mode, family)                                                \
-    QV_DEFINE_LENGTH_SAMPLING(mode, rgba8, qv_prepare_corrected, family, QV_READ_OUT_8,            \
-                              QV_STORAGE_RGBA8)                                                    \
-    QV_DEFINE_LENGTH_SAMPLING(mode, rgba16, qv_prepare_corrected, family, QV_READ_OUT_16,          \
-                              QV_STORAGE_RGBA16)                                                   \
-    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8, qv_prepare_corrected, family, QV_READ_OUT_8,         \
-                              QV_STORAGE_INDEXED8)                                                 \
-    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8_16, qv_prepare_corrected, family, QV_READ_OUT_16,     \
-                              QV_STORAGE_INDEXED8_16)
+/* DEFINE for each storage of opacity-based modes: those that hold opacity. */
+#define QV_EACH_CORRECTED(DEFINE, mode, family)                                                    \
+    DEFINE(mode, rgba8, qv_prepare_corrected, family, QV_READ_OUT_8, QV_STORAGE_RGBA8)             \
+    DEFINE(mode, rgba16, qv_prepare_corrected, family, QV_READ_OUT_16, QV_STORAGE_RGBA16)          \
+    DEFINE(mode, indexed8, qv_prepare_corrected, family, QV_READ_OUT_8, QV_STORAGE_INDEXED8)       \
+    DEFINE(mode, indexed8_16, qv_prepare_corrected, family, QV_READ_OUT_16, QV_STORAGE_INDEXED8_16)
 
-/* Extinction-based, of storage that holds extinction. */
-#define QV_DEFINE_EXTINCTION_SAMPLINGS(mode, family)                                               \
-    QV_DEFINE_LENGTH_SAMPLING(mode, rgbt8, qv_prepare_extinction, family, QV_READ_OUT_8,           \
-                              QV_STORAGE_RGBT8)                                                    \
-    QV_DEFINE_LENGTH_SAMPLING(mode, rgbt16, qv_prepare_extinction, family, QV_READ_OUT_16,         \
-                              QV_STORAGE_RGBT16)                                                   \
-    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8_t8, qv_prepare_extinction, family, QV_READ_OUT_8,     \
-                              QV_STORAGE_INDEXED8_T8)                                              \
-    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8_t16, qv_prepare_extinction, family, QV_READ_OUT_16,   \
-                              QV_STORAGE_INDEXED8_T16)
+/* Of extinction-based modes: those that hold extinction, */
+#define QV_EACH_EXTINCTION(DEFINE, mode, family)                                                   \
+    DEFINE(mode, rgbt8, qv_prepare_extinction, family, QV_READ_OUT_8, QV_STORAGE_RGBT8)            \
+    DEFINE(mode, rgbt16, qv_prepare_extinction, family, QV_READ_OUT_16, QV_STORAGE_RGBT16)         \
+    DEFINE(mode, indexed8_t8, qv_prepare_extinction, family, QV_READ_OUT_8,                        \
+           QV_STORAGE_INDEXED8_T8)                                                                 \
+    DEFINE(mode, indexed8_t16, qv_prepare_extinction, family, QV_READ_OUT_16,                      \
+           QV_STORAGE_INDEXED8_T16)
 
-/* Extinction-based, of storage that holds opacity. */
-#define QV_DEFINE_CONVERTED_SAMPLINGS(mode, family)                                                \
-    QV_DEFINE_LENGTH_SAMPLING(mode, rgba8, qv_prepare_converted, family, QV_READ_OUT_CONVERTED,    \
-                              QV_STORAGE_RGBA8)                                                    \
-    QV_DEFINE_LENGTH_SAMPLING(mode, rgba16, qv_prepare_converted, family, QV_READ_OUT_CONVERTED,   \
-                              QV_STORAGE_RGBA16)                                                   \
-    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8, qv_prepare_converted, family, QV_READ_OUT_CONVERTED, \
-                              QV_STORAGE_INDEXED8)                                                 \
-    QV_DEFINE_LENGTH_SAMPLING(mode, indexed8_16, qv_prepare_converted, family,                     \
-                              QV_READ_OUT_CONVERTED, QV_STORAGE_INDEXED8_16)
+/* and those that hold opacity, which is converted. */
+#define QV_EACH_CONVERTED(DEFINE, mode, family)                                                    \
+    DEFINE(mode, rgba8, qv_prepare_converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA8)     \
+    DEFINE(mode, rgba16, qv_prepare_converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA16)   \
+    DEFINE(mode, indexed8, qv_prepare_converted, family, QV_READ_OUT_CONVERTED,                    \
+           QV_STORAGE_INDEXED8)                                                                    \
+    DEFINE(mode, indexed8_16, qv_prepare_converted, family, QV_READ_OUT_CONVERTED,                 \
+           QV_STORAGE_INDEXED8_16)
 
 #endif /* QV_MARCH_LENGTHS_H */

@@ -3,4 +3,4 @@
 
 static const qv_family stored = {qv_bspline_weighted, qv_extinction_under, qv_extinction_over, 1};
 
-QV_DEFINE_EXTINCTION_SAMPLINGS(bspline_extinction, &stored)
+QV_EACH_EXTINCTION(QV_DEFINE_LENGTHS, bspline_extinction, &stored)

@@ -3,4 +3,4 @@
 
 static const qv_family weighted = {qv_bspline_weighted, qv_corrected_under, qv_corrected_over, 0};
 
-QV_DEFINE_CORRECTED_SAMPLINGS(bspline_weighted, &weighted)
+QV_EACH_CORRECTED(QV_DEFINE_LENGTHS, bspline_weighted, &weighted)

@@ -3,4 +3,4 @@
 static const qv_family converted = {qv_sample_converted, qv_extinction_under, qv_extinction_over,
                                     1};
 
-QV_DEFINE_CONVERTED_SAMPLINGS(extinction, &converted)
+QV_EACH_CONVERTED(QV_DEFINE_LENGTHS, extinction, &converted)

@@ -2,4 +2,4 @@
 
 static const qv_family corrected = {qv_sample_weighted, qv_corrected_under, qv_corrected_over, 0};
 
-QV_DEFINE_CORRECTED_SAMPLINGS(corrected, &corrected)
+QV_EACH_CORRECTED(QV_DEFINE_LENGTHS, corrected, &corrected)

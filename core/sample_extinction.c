@@ -2,4 +2,4 @@
 
 static const qv_family stored = {qv_sample_weighted, qv_extinction_under, qv_extinction_over, 1};
 
-QV_DEFINE_EXTINCTION_SAMPLINGS(extinction, &stored)
+QV_EACH_EXTINCTION(QV_DEFINE_LENGTHS, extinction, &stored)

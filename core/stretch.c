@@ -77,8 +77,7 @@ static void narrow_to_slab(qv_ray *ray, unsigned axis, qv_coord size)
         ray->leave = leave;
 }
 
-/* The number of the stretch that a position lies in. */
-static int32_t stretch_of(int64_t position)
+int32_t qv_stretch_of(int64_t position)
 {
     return (int32_t)fx_shift_floor(position + HALF_STEP, FRACTION_BITS);
 }
@@ -92,7 +91,7 @@ void qv_path_clip(qv_ray *ray, const qv_context *context)
         narrow_to_slab(ray, axis, (qv_coord)scene->volume.size[axis] << 32);
     ray->all = 0;
     if (ray->enter < ray->leave)
-        ray->all = (uint32_t)(stretch_of(ray->leave - 1) - stretch_of(ray->enter)) + 1u;
+        ray->all = (uint32_t)(qv_stretch_of(ray->leave - 1) - qv_stretch_of(ray->enter)) + 1u;
     ray->samples = ray->all;
 }
 

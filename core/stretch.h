@@ -18,6 +18,9 @@ typedef struct qv_run {
     uint32_t length; /* of each, in steps of the volume, Q16.16 */
 } qv_run;
 
+/* The number of the stretch that a position lies in. */
+int32_t qv_stretch_of(int64_t position);
+
 /*
  * Finds enter and leave of a ray: the way through the box of the scene's volume, in
  * perspective from the eye on. place stays. all and samples count the pieces, 0 where the

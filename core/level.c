@@ -1,0 +1,84 @@
+#include "level.h"
+
+#include "pyramid.h"
+
+#define MOST_DISTANCE ((uint32_t)1 << 23)
+#define HALF_STEP     (QV_STEP_Q16 / 2)
+#define BLEND_BITS    24 /* from Q8.8 to Q0.32 */
+
+qv_status qv_level_check(const qv_scene *scene)
+{
+    qv_status status = qv_pyramid_check(&scene->volume, scene->pyramid);
+    if (status != QV_OK)
+        return status;
+    int rises = scene->level_distance != 0, has_eye = scene->camera.pace[0] != 0;
+    if (scene->level > scene->pyramid->levels * 256u || scene->level_distance >= MOST_DISTANCE ||
+        (rises && !has_eye))
+        return QV_ERROR_LEVEL;
+    return QV_OK;
+}
+
+/* Where the border before a stretch lies. */
+static int64_t border(int64_t stretch)
+{
+    return stretch * QV_STEP_Q16 - HALF_STEP;
+}
+
+/* The span of a stretch, where the level rises with the distance. */
+static void begin_at_distance(qv_span *span, int64_t stretch, const qv_scene *scene)
+{
+    int64_t octave = scene->level_distance; /* doubled to at most a stretch, below 2^22 */
+    unsigned last = scene->pyramid->levels;
+    span->level = scene->level >> 8;
+    span->end = border(octave);
+    if (stretch < octave)
+        return;
+    for (; 2 * octave <= stretch && span->level < last; octave *= 2)
+        span->level++;
+    span->end = INT64_MAX;
+    if (span->level < last) {
+        span->octave = (uint32_t)octave;
+        span->end = border(2 * octave);
+    }
+}
+
+void qv_span_begin(qv_span *span, const qv_ray *ray, const qv_scene *scene)
+{
+    span->octave = 0;
+    span->blend = 0;
+    span->rise = 0;
+    if (scene->level_distance != 0) {
+        begin_at_distance(span, qv_stretch_of(ray->enter), scene);
+        return;
+    }
+    span->level = scene->level >> 8;
+    span->blend = (uint32_t)scene->level << BLEND_BITS;
+    span->end = INT64_MAX;
+}
+
+/* The middle lies in the octave, so that the share is below 1. Pieces are 2^level steps of
+   the octave, which are fewer where a run has more than one. */
+void qv_span_blend(qv_span *span, int64_t begin, const qv_run *run)
+{
+    if (span->octave == 0)
+        return;
+    int64_t middle = begin + run->length / 2u - border(0);
+    uint64_t beyond = (uint64_t)(middle - (int64_t)span->octave * QV_STEP_Q16); /* < 2^38 */
+    span->blend = (uint32_t)fx_divide(beyond << 16, span->octave);
+    span->rise = (uint32_t)fx_divide((uint64_t)1 << (32u + span->level), span->octave);
+}
+
+void qv_levels_describe(qv_levels *levels, unsigned finer, const qv_scene *scene)
+{
+    if (levels->finer == finer)
+        return;
+    for (unsigned i = 0; i < 2; i++) {
+        unsigned number = finer + i;
+        if (number == 0)
+            levels->volume[i] = scene->volume;
+        else if (number <= scene->pyramid->levels)
+            qv_pyramid_describe(&levels->volume[i], &scene->volume, scene->pyramid,
+                                (uint8_t)number);
+    }
+    levels->finer = finer;
+}
