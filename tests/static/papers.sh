@@ -24,7 +24,7 @@ rows_hold() { # rows_hold PAPER LEAST_ROWS
 }
 
 check "Wittenbrink: every row within what it allows" rows_hold wittenbrink 43
-check "Kraus: every row within what it allows" rows_hold kraus 190
+check "Kraus: every row within what it allows" rows_hold kraus 210
 
 # ours PAPER WHAT: the library's number in that row, the first of the name.
 ours() {
