@@ -128,7 +128,7 @@ double paper_rms(const paper_picture *a, const paper_picture *b)
     return channels > 0 ? sqrt(sum / channels) : 0;
 }
 
-enum { brightness_levels = 256 };
+enum { brightness_levels = 4096 };
 
 static unsigned brightness(const double rgba[4])
 {

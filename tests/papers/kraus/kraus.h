@@ -10,6 +10,9 @@
 
 #include "papers/paper.h"
 
+/* Section 3: opacity correction, and opacity of extinction. */
+void equations(FILE *table);
+
 /* Figures 2 and 3: eight voxels become one. */
 void eight_voxels(FILE *table);
 

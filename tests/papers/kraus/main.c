@@ -8,6 +8,7 @@ int main(int argc, char **argv)
     (void)snprintf(folder, sizeof folder, "%s/data", argv[1]);
     FILE *table = paper_open(argv[1], "table.md");
     fputs("# Kraus and Buerger 2008\n", table);
+    equations(table);
     eight_voxels(table);
     one_vertex(table, folder);
     thin_wall(table, folder);

@@ -145,6 +145,7 @@ static void add_worst(FILE *table, const char *what, double opacity, double off,
 
 void border_rays(FILE *table, const char *folder)
 {
+    paper_table_begin(table, "\n## Sections 2 to 4: a ray that enters a material");
     for (size_t i = 0; i < sizeof examples / sizeof examples[0]; i++) {
         three_samples(table, &examples[i]);
     }

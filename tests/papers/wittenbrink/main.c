@@ -7,7 +7,7 @@ int main(int argc, char **argv)
     paper_require(argc == 2, "usage: wittenbrink FOLDER");
     (void)snprintf(folder, sizeof folder, "%s/data", argv[1]);
     FILE *table = paper_open(argv[1], "table.md");
-    paper_table_begin(table, "# Wittenbrink, Malzbender, Goss 1998");
+    fputs("# Wittenbrink, Malzbender, Goss 1998\n", table);
     border_rays(table, folder);
     border_scenes(table, folder);
     torus(table, folder);

@@ -67,6 +67,7 @@ void torus(FILE *table, const char *folder)
     const paper_view view = {25, 40, 1.0 * size / edge, 0.5, edge, edge};
     paper_volume made;
     qv_scene scene;
+    paper_table_begin(table, "\n## Figure 8: the torus");
     memset(&scene, 0, sizeof scene);
     paper_volume_make(&made, size, size, size);
     paper_volume_fill(&made, classify, NULL);
