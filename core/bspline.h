@@ -13,6 +13,8 @@
 
 #include "sample.h"
 
+#define QV_BSPLINE_TAPS 27
+
 /* Lower, middle and upper voxel on one axis. */
 typedef struct qv_triple {
     qv_offset at[3]; /* bytes from voxel 0 */
@@ -104,7 +106,7 @@ FX_INLINE void qv_add_voxel(qv_sample *sum, fx_weight weight, qv_address entry,
 
 /* The sums over all voxels, each with its part of 1. */
 FX_INLINE void qv_add_rows(qv_sample *sum, const qv_rows *rows, const qv_triple triple[3],
-                           const fx_density density[QV_MOST_TAPS], const qv_volume *volume,
+                           const fx_density density[QV_BSPLINE_TAPS], const qv_volume *volume,
                            unsigned storage, qv_factor factor)
 {
     fx_weight slice[3], row[3], voxel[3];
@@ -126,13 +128,13 @@ FX_INLINE void qv_add_rows(qv_sample *sum, const qv_rows *rows, const qv_triple 
 }
 
 /* Extinctions of stored opacities, as qv_densities has them. */
-FX_INLINE unsigned qv_rows_densities(fx_density density[QV_MOST_TAPS], const qv_rows *rows,
+FX_INLINE unsigned qv_rows_densities(fx_density density[QV_BSPLINE_TAPS], const qv_rows *rows,
                                      const qv_volume *volume, unsigned storage)
 {
-    qv_address entry[QV_MOST_TAPS];
-    for (unsigned i = 0; i < QV_MOST_TAPS; i++)
+    qv_address entry[QV_BSPLINE_TAPS];
+    for (unsigned i = 0; i < QV_BSPLINE_TAPS; i++)
         entry[i] = qv_rows_entry(rows, i / 3u, i % 3u, volume, storage);
-    return qv_densities(density, entry, QV_MOST_TAPS, storage);
+    return qv_densities(density, entry, QV_BSPLINE_TAPS, storage);
 }
 
 FX_INLINE int qv_bspline(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
@@ -140,7 +142,7 @@ FX_INLINE int qv_bspline(qv_sample *sample, const qv_ray *ray, const qv_volume *
 {
     qv_triple triple[3];
     qv_rows rows;
-    fx_density density[QV_MOST_TAPS];
+    fx_density density[QV_BSPLINE_TAPS];
     for (unsigned axis = 0; axis < 3; axis++)
         qv_triple_locate(&triple[axis], volume, ray, axis);
     qv_rows_locate(&rows, triple, volume);

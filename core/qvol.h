@@ -347,9 +347,17 @@ extern const qv_sampling qv_weighted_indexed8_back_to_front, qv_weighted_indexed
  *              Of volumes that store opacity, each voxel's is converted as it is read.
  * bspline_weighted, bspline_extinction: the same two with B-splines.
  *
- * Each names a storage; _levels reads a pyramid besides (qv_pyramid), front to back.
+ * Each names a storage; _levels reads a pyramid besides (qv_pyramid), front to back: a
+ * point of the volume at 2^-l of its coordinates on level l, whose stretches are 2^l
+ * steps long, counted from the border before stretch 0. Two levels are blended as sums,
+ * before anything is made of them.
+ *
+ * Errors, beside those of weights and compositing above: depth is exact but for 2^-31 a
+ * sample and, of stored opacity, 2^-24 for a unit distance; light is within 2^-16 of
+ * itself. Corrected opacity is within 2^-30, corrected colour within 2^-16 of itself.
  * The unit distance may be 2^-12 .. 2^12 steps (else QV_ERROR_UNIT). The full value's
- * depth for a step, of the coarsest level, is below 2^22 (else QV_ERROR_EXTINCTION).
+ * depth for a step, of the coarsest level, is above 0 and below 2^22 (else
+ * QV_ERROR_EXTINCTION).
  */
 QV_DECLARE_OPACITY_SAMPLINGS(qv_corrected)
 QV_DECLARE_OPACITY_SAMPLINGS(qv_bspline_weighted)
@@ -414,9 +422,9 @@ typedef struct qv_scene {
     uint16_t level;              /* what _levels modes sample, Q8.8: 0 the volume, 256 level 1; in
                                     between, both, in proportion. At most the levels there are */
     uint32_t level_distance;     /* 0: that level everywhere. Else, in perspective: so many steps
-                                    from the eye the level begins to rise, to level + 1 at twice
+                                    from the eye its whole part begins to rise, by 1 up to twice
                                     the distance, and so on; see qv_detail. Below 2^23 */
-    const qv_pyramid *pyramid;   /* may be null for all but _levels modes */
+    const qv_pyramid *pyramid;   /* kept by the caller; null where no _levels mode is used */
     qv_volume volume;
     qv_camera camera;
 } qv_scene;
@@ -440,7 +448,10 @@ typedef struct qv_context {
 
 /*
  * Checks a scene and makes a context of it. Returns QV_OK, or any error of
- * qv_volume_check, or QV_ERROR_NULL, _STORAGE, _STEP, _UNIT, _CAMERA.
+ * qv_volume_check, or QV_ERROR_NULL, _STORAGE, _STEP, _CAMERA, _UNIT, _EXTINCTION, and of
+ * _levels modes QV_ERROR_LEVEL (no pyramid, more levels than the volume has, a level that
+ * it lacks, or a level_distance out of range or without an eye), _STRIDE and _BUFFER (the
+ * pyramid's memory).
  */
 qv_status qv_init(qv_context *context, const qv_scene *scene);
 

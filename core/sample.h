@@ -43,9 +43,6 @@ FX_INLINE int qv_any_opacity(const qv_address corner[8], unsigned storage)
    extinction, its share of the extinction of stored opacity, or its weight alone. */
 typedef enum { QV_BY_SHARE, QV_BY_DENSITY, QV_BY_WEIGHT } qv_factor;
 
-/* Voxels that a B-spline reads. */
-#define QV_MOST_TAPS 27
-
 /* The extinction of an entry's opacity, below 64: see fx_weight.h. */
 FX_INLINE fx_extinction qv_density(qv_address entry, unsigned storage)
 {
@@ -63,14 +60,15 @@ FX_INLINE fx_extinction qv_density(qv_address entry, unsigned storage)
 FX_INLINE unsigned qv_densities(fx_density density[], const qv_address entry[], unsigned count,
                                 unsigned storage)
 {
-    fx_extinction extinction[QV_MOST_TAPS], all = 0;
+    fx_extinction all = 0;
     for (unsigned i = 0; i < count; i++) {
-        extinction[i] = qv_density(entry[i], storage);
-        all |= extinction[i];
+        fx_extinction extinction = qv_density(entry[i], storage);
+        density[i] = fx_density_of(extinction);
+        all |= extinction;
     }
     unsigned scale = fx_leading_zeros(all) - 2u; /* 0 < all < 2^30 */
     for (unsigned i = 0; i < count; i++)
-        density[i] = fx_density_of(extinction[i] << scale);
+        density[i] = fx_density_of(fx_density_bits(density[i]) << scale);
     return scale;
 }
 
