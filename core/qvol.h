@@ -354,7 +354,8 @@ extern const qv_sampling qv_weighted_indexed8_back_to_front, qv_weighted_indexed
  *
  * Errors, beside those of weights and compositing above: depth is exact but for 2^-31 a
  * sample and, of stored opacity, 2^-24 for a unit distance; light is within 2^-16 of
- * itself. Corrected opacity is within 2^-30, corrected colour within 2^-16 of itself.
+ * itself. Corrected opacity is within 2^-27, times the ratio of length to unit distance
+ * where that is above 1; corrected colour within 2^-16 of itself.
  * The unit distance may be 2^-12 .. 2^12 steps (else QV_ERROR_UNIT). The full value's
  * depth for a step, of the coarsest level, is above 0 and below 2^22 (else
  * QV_ERROR_EXTINCTION).
