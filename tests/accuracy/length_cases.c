@@ -60,11 +60,11 @@ static void check_pieces(const ref_ray *ray, double stretch, double begin, const
 {
     ref_piece piece = ref_first_piece(ray);
     for (int i = 0; i < count; i++) {
-        assert_true(ref_next_piece(&piece, ray, stretch));
+        assert_true(ref_next_piece(&piece, ray, stretch, HUGE_VAL));
         assert_true(near(piece.begin, i == 0 ? begin : ends[i - 1]));
         assert_true(near(piece.end, ends[i]));
     }
-    assert_true(!ref_next_piece(&piece, ray, stretch));
+    assert_true(!ref_next_piece(&piece, ray, stretch, HUGE_VAL));
 }
 
 /* Samples at 1/4, 5/4 ... of a way from 0 to 4: borders at 3/4, 7/4, 11/4, 15/4. */
@@ -375,6 +375,61 @@ static void test_pyramid_places(void **state)
     assert_true(near(pixel.opacity, 1 - exp2(-1.5 - 2 * 0.25)));
 }
 
+static void check_span(const qv_scene *scene, double position, int level, double share, double end)
+{
+    ref_span span;
+    ref_span_at(&span, scene, position);
+    assert_int_equal(span.level, level);
+    assert_true(near(ref_share(&span, position), share));
+    assert_true(span.end == end);
+}
+
+/* From level 1.5 at 100 steps: its whole part, and one level more at 200, 400 ... up to 3. */
+static void test_level_by_distance(void **state)
+{
+    const qv_pyramid pyramid = {NULL, 0, 3};
+    qv_scene scene = {.level = 384, .pyramid = &pyramid};
+    (void)state;
+    check_span(&scene, 1000, 1, 0.5, HUGE_VAL);
+    scene.level_distance = 100;
+    check_span(&scene, 0, 1, 0, 100);
+    check_span(&scene, 99.5, 1, 0, 100);
+    check_span(&scene, 100, 1, 0, 200);
+    check_span(&scene, 175, 1, 0.75, 200);
+    check_span(&scene, 200, 2, 0, 400);
+    check_span(&scene, 250, 2, 0.25, 400);
+    check_span(&scene, 400, 3, 0, HUGE_VAL);
+    check_span(&scene, 1e6, 3, 0, HUGE_VAL);
+    scene.pyramid = NULL; /* nothing but the volume */
+    check_span(&scene, 250, 0, 0, HUGE_VAL);
+}
+
+/* From an eye before a row of 4: level 0 up to 3 steps, then between 0 and 1 with pieces of
+   one step, cut where a span ends, half a step before sample 3. */
+static void test_pieces_by_distance(void **state)
+{
+    unsigned char voxels[VOXELS][4], coarser[2][4];
+    const qv_pyramid pyramid = {coarser[0], sizeof coarser, 1};
+    qv_scene scene;
+    ref_pixel pixel;
+    (void)state;
+    fill(voxels, VOXELS, (const unsigned char[4]){255, 0, 0, 51});
+    fill(coarser, 2, (const unsigned char[4]){255, 0, 0, 102});
+    row_scene(&scene, voxels, VOXELS, QV_STORAGE_RGBT8);
+    scene.volume.extinction = 5 * QV_ONE_Q16;
+    scene.camera.projection = &qv_projection_perspective;
+    scene.camera.origin[2] = -one;
+    for (int axis = 0; axis < 3; axis++) {
+        scene.camera.pace[axis] = one;
+    }
+    scene.pyramid = &pyramid;
+    scene.level_distance = 3;
+    /* s = 1 .. 5; on the grid 3/2 .. 11/2: depth 1 up to 3, then 1 + (5/2) / 3 on average */
+    ref_render(&pixel, &scene, REF_EXTINCTION, 0, 0);
+    assert_int_equal(pixel.samples, 5);
+    assert_true(near(pixel.opacity, 1 - exp2(-1.5 - 2.5 - 2.5 * 1.25 / 3)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -393,6 +448,8 @@ int main(void)
         cmocka_unit_test(test_pyramid_levels),
         cmocka_unit_test(test_pyramid_samples),
         cmocka_unit_test(test_pyramid_places),
+        cmocka_unit_test(test_level_by_distance),
+        cmocka_unit_test(test_pieces_by_distance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -82,12 +82,16 @@ typedef struct ref_piece {
 /* An empty piece where the ray enters the box. */
 ref_piece ref_first_piece(const ref_ray *ray);
 
+/* A position on a ray in steps from the border before sample k = 0, half a step in front of
+   it. */
+double ref_grid(const ref_ray *ray, double steps);
+
 /*
  * The piece behind this one: up to the next border between stretches of so many steps,
- * a power of 2, or to where the ray leaves. Samples lie at whole numbers k of the grid;
- * borders at the multiples of the stretch less 1/2. False where nothing is left.
+ * a power of 2, or to `end` on the grid, or to where the ray leaves. Borders are the
+ * multiples of the stretch on the grid. False where nothing is left.
  */
-bool ref_next_piece(ref_piece *piece, const ref_ray *ray, double stretch);
+bool ref_next_piece(ref_piece *piece, const ref_ray *ray, double stretch, double end);
 
 /* ---- voxel.c ------------------------------------------------------------ */
 
@@ -103,6 +107,23 @@ void ref_voxel(double rgba[4], const qv_volume *volume, const int32_t at[3]);
 
 /* A level of a scene as a volume of its own; level 0 is the volume. */
 void ref_pyramid_level(qv_volume *level, const qv_scene *scene, int number);
+
+/* A part of a ray that sees a level, and perhaps the next coarser one, on the grid. */
+typedef struct ref_span {
+    int level;
+    double begin, end;
+    double first, last; /* share of the coarser level at both, linear in between */
+} ref_span;
+
+/*
+ * The span of a position on the grid. The scene's level everywhere, or, where it rises with
+ * the distance, its whole part up to the level distance and one level more each time that the
+ * distance doubles, until the coarsest.
+ */
+void ref_span_at(ref_span *span, const qv_scene *scene, double position);
+
+/* The share of the coarser level at a position of the span. */
+double ref_share(const ref_span *span, double position);
 
 /* ---- reconstruct.c: colour and opacity at a point -------------------------- */
 

@@ -45,12 +45,10 @@ static void sample_level(double sample[4], const qv_scene *scene, ref_mode mode,
     ref_reconstruct(sample, &level, mode, place);
 }
 
-/* Reconstructs in the level, or between the two that it lies between. */
+/* Reconstructs in a level and blends with the next coarser one. */
 static void sample_between(double sample[4], const qv_scene *scene, ref_mode mode,
-                           const double point[3], double level, bool rounded)
+                           const double point[3], int finer, double share, bool rounded)
 {
-    const int finer = (int)floor(level);
-    const double share = level - finer;
     sample_level(sample, scene, mode, point, finer, rounded);
     if (share > 0) {
         double coarser[4];
@@ -61,23 +59,34 @@ static void sample_between(double sample[4], const qv_scene *scene, ref_mode mod
     }
 }
 
-/* Pieces of the ray's way, each sampled at its middle and weighed by its length. */
+/* Puts a piece, sampled at its middle and weighed by its length, behind the light. */
+static void add_piece(double light[4], const qv_scene *scene, ref_mode mode, const ref_ray *ray,
+                      const ref_piece *piece, const ref_span *span, bool rounded)
+{
+    const double middle = (piece->begin + piece->end) / 2;
+    const double length = (piece->end - piece->begin) * (scene->camera.step / 65536.0);
+    const double share = ref_share(span, ref_grid(ray, middle));
+    double point[3], sample[4];
+    ref_point(point, ray, middle);
+    sample_between(sample, scene, mode, point, span->level, share, rounded);
+    ref_weigh(sample, &scene->volume, mode, length);
+    ref_under(light, sample);
+}
+
 static void march_pieces(ref_pixel *pixel, const qv_scene *scene, ref_mode mode, const ref_ray *ray,
                          bool rounded)
 {
-    const double level = scene->level / 256.0, stretch = ldexp(1, (int)floor(level));
-    const double step = scene->camera.step / 65536.0;
     qv_scene of = *scene;
-    double point[3], sample[4];
+    ref_piece piece = ref_first_piece(ray);
+    ref_span span;
     if (of.volume.unit_distance == 0) {
         of.volume.unit_distance = scene->camera.step;
     }
-    ref_piece piece = ref_first_piece(ray);
-    for (pixel->samples = 0; ref_next_piece(&piece, ray, stretch); pixel->samples++) {
-        ref_point(point, ray, (piece.begin + piece.end) / 2);
-        sample_between(sample, &of, mode, point, level, rounded);
-        ref_weigh(sample, &of.volume, mode, (piece.end - piece.begin) * step);
-        ref_under(pixel->rgba, sample);
+    ref_span_at(&span, &of, ref_grid(ray, piece.end));
+    for (pixel->samples = 0; ref_next_piece(&piece, ray, ldexp(1, span.level), span.end);
+         pixel->samples++) {
+        add_piece(pixel->rgba, &of, mode, ray, &piece, &span, rounded);
+        ref_span_at(&span, &of, ref_grid(ray, piece.end));
     }
 }
 

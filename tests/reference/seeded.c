@@ -282,6 +282,16 @@ qv_status seeded_make(seeded_scene *made, uint32_t seed, qv_storage storage)
     return make(made, &random, storage, &by_step);
 }
 
+/* Keeps full opacity to a depth of 64 for a piece: more would make pixels of the last bits
+   of weights. */
+static void limit_depth(qv_scene *scene, int level)
+{
+    const uint32_t longest = scene->camera.step << level;
+    if (scene->volume.unit_distance < longest) {
+        scene->volume.unit_distance = longest;
+    }
+}
+
 qv_status seeded_make_by_length(seeded_scene *made, uint32_t seed, qv_storage storage)
 {
     draws random = draw_seeded(seed);
@@ -290,17 +300,44 @@ qv_status seeded_make_by_length(seeded_scene *made, uint32_t seed, qv_storage st
     const bool same = draw_once_in(&random, 4), named = draw_once_in(&random, 2);
     const qv_status status = make(made, &random, storage, &by_length);
     qv_volume *volume = &made->scene.volume;
-    /* more than a depth of 64 for a step would make levels of the last bits of weights */
-    const bool opaque = made->filling == filling_names[WALLS];
-    volume->unit_distance = to_q16((same ? 1 : opaque ? fmax(ratio, 1) : ratio) * made->view.step);
+    volume->unit_distance = to_q16((same ? 1 : ratio) * made->view.step);
     if (same && !named) {
         volume->unit_distance = 0; /* the step too */
+    }
+    if (made->filling == filling_names[WALLS]) {
+        limit_depth(&made->scene, 0);
     }
     volume->extinction = to_q16(depth);
     return status;
 }
 
 /* ---- Coarser levels, filled like volumes rather than made from them --------- */
+
+/* Steps from the eye to the centre of the volume. */
+static double steps_to_centre(const seeded_scene *made)
+{
+    const qv_scene *scene = &made->scene;
+    double square = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double eye = (double)scene->camera.origin[axis] / 4294967296.0;
+        const double way = scene->volume.size[axis] / 2.0 - eye;
+        square += pow(way * (scene->volume.spacing[axis] / 65536.0), 2);
+    }
+    return sqrt(square) / made->view.step;
+}
+
+/* The level to be sampled; in perspective it may rise with the distance. */
+static void draw_level(seeded_scene *made, draws *random)
+{
+    const uint32_t between = draw_below(random, made->pyramid.levels * 256u + 1);
+    const bool whole = draw_once_in(random, 3), rises = !draw_once_in(random, 3);
+    const double part = draw_scale(random, 0.1, 2);
+    made->scene.level = (uint16_t)(whole ? between & 0xff00u : between);
+    if (rises && made->view.field_of_view > 0) {
+        made->scene.level = (uint16_t)(draw_once_in(random, 3) ? between : 0);
+        made->scene.level_distance = (uint32_t)ceil(part * steps_to_centre(made));
+    }
+}
 
 qv_status seeded_add_pyramid(seeded_scene *made, uint32_t seed)
 {
@@ -325,8 +362,10 @@ qv_status seeded_add_pyramid(seeded_scene *made, uint32_t seed)
         fill_voxels(next, &level, &from, &random);
         next += level.voxels_bytes;
     }
-    const uint32_t between = draw_below(&random, pyramid->levels * 256u + 1);
-    made->scene.level = (uint16_t)(draw_once_in(&random, 3) ? between & 0xff00u : between);
+    if (from.kind == WALLS || made->filling == filling_names[WALLS]) {
+        limit_depth(&made->scene, pyramid->levels);
+    }
+    draw_level(made, &random);
     return QV_OK;
 }
 

@@ -32,7 +32,8 @@ typedef struct seeded_scene {
 qv_status seeded_make(seeded_scene *made, uint32_t seed, qv_storage storage);
 qv_status seeded_make_by_length(seeded_scene *made, uint32_t seed, qv_storage storage);
 
-/* Gives a scene all coarser levels and draws the one to be sampled. The scene must stay
+/* Gives a scene all coarser levels and draws the one to be sampled, in some scenes with
+   perspective one that rises with the distance. The scene must stay
    where it is from then on. */
 qv_status seeded_add_pyramid(seeded_scene *made, uint32_t seed);
 
