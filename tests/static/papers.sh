@@ -114,8 +114,8 @@ check "Kraus: averages of opacity lose what averages of extinction keep" all_wit
 0.99 1.02 shell-extinction-4
 0 0.83 dome-opacity-5
 0 0.93 shell-opacity-4
-0 0.7 head-opacity-3
-0.8 1 head-extinction-3
+0 0.82 head-opacity-2
+0.9 1 head-extinction-2
 ROWS
 
 # ---- Pictures -------------------------------------------------------------------
