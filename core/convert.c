@@ -108,8 +108,8 @@ static qv_status check(const target *t, unsigned kind, const qv_entries *from, u
 }
 
 /* An entry is read before it is written, and is never written beyond where it was read
-   unless it widens: the source may be overwritten. 0 stays 0 by itself, since its depth
-   from fx_log.h is not exactly 0. */
+   unless it widens: the source may be overwritten. 0, most of many volumes, stays 0 in every
+   conversion, and costs nothing. */
 static void convert(const target *t, const qv_entries *from, recode *fourth, uint64_t scale)
 {
     uint8_t *to = (uint8_t *)t->to;
@@ -202,8 +202,7 @@ qv_status qv_extinction_of(uint32_t *extinction, const qv_entries *from, uint32_
 
     int any_opaque;
     fx_unorm16 most = greatest_opacity(&any_opaque, from);
-    fx_depth depth = most != 0 ? fx_depth_of_unorm16(most) : 0;
-    uint32_t least = least_extinction(depth, from->unit_distance);
+    uint32_t least = least_extinction(fx_depth_of_unorm16(most), from->unit_distance);
     if (opaque == 0)
         opaque = least_extinction(FX_OPAQUE_DEPTH, from->unit_distance);
     *extinction = any_opaque && opaque > least ? opaque : least;

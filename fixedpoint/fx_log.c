@@ -29,7 +29,8 @@ fx_depth fx_depth_of_transmittance(uint32_t transmittance)
     /* -log2(1 - gap): at most .0444 in Q1.31; the depth of the segment's end is below 1 */
     uint32_t square = LOG_SQUARE + (LOG_CUBE * (place >> 16) >> 16); /* LOG_CUBE < 2^16 */
     uint32_t rise = fx_high_product(place, LOG_LINEAR + fx_high_product(place, square));
-    uint32_t fraction = fx_table32(&log_depth[segment]) + rise; /* <= 1, within the error */
+    /* 0 .. 1, within the error: the table's -1 meets a rise of at least 1 */
+    uint32_t fraction = fx_table32(&log_depth[segment]) + rise;
     return ((fx_depth)whole << 32) + ((fx_depth)fraction << 1);
 }
 

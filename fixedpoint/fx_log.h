@@ -21,7 +21,7 @@
 
 /*
  * -log2(transmittance), for every transmittance in Q0.32, 2^32 - 1 being 1. Error
- * at most 1.6 * 2^-28: the result is below 2^-30 for 1, 32 within the error for the
+ * at most 1.4 * 2^-28: the result is exactly 0 for 1, 32 within the error for the
  * least, and FX_OPAQUE_DEPTH for 0. Between numbers that differ by less than the
  * error it may fall where it should rise, by less than 2^-27.
  */

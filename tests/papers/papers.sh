@@ -76,12 +76,12 @@ pyramid_sheet() {
     set --
     for subject in head dome shell; do
         for basis in opacity extinction; do
-            for level in 0 1 2 3 4; do
+            for level in 0 1 2 3 4 5; do
                 set -- "$@" "$subject-$basis-$level" "$subject, by $basis: level $level"
             done
         done
     done
-    sheet pyramids "Pyramids, 4-tap box. The head's skin hides a blue inside; dome: opacity 0.98, shell: 0.5" 5 "$@"
+    sheet pyramids "Pyramids, 4-tap box. The head's skin hides a blue inside; dome: opacity 0.98, shell: 0.5" 6 "$@"
 }
 
 kraus() {

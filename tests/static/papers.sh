@@ -110,12 +110,12 @@ check "Kraus: the wall breaks where the paper says, and not before" all_within k
 ROWS
 
 check "Kraus: averages of opacity lose what averages of extinction keep" all_within kraus <<'ROWS'
-0.98 1.02 dome-extinction-4
-0.98 1.02 shell-extinction-4
-0 0.87 dome-opacity-4
+0.99 1.02 dome-extinction-5
+0.99 1.02 shell-extinction-4
+0 0.83 dome-opacity-5
 0 0.93 shell-opacity-4
-0 0.7 head-opacity-3
-0.8 1 head-extinction-3
+0 0.82 head-opacity-2
+0.9 1 head-extinction-2
 ROWS
 
 # ---- Pictures -------------------------------------------------------------------

@@ -19,7 +19,9 @@ static void depth_of_gap(mpfr_t value, const mpfr_t place, unsigned segment)
 
 /* The reciprocal of the segment's end, (33 + i) / 64, is cut, so that a number of
    the segment times it stays below 1. Its depth is that of the number it stands
-   for, log2 of it as it is. */
+   for, log2 of it as it is, less one unit: by so much is the rest of the result too
+   great, half of it on average since the gap is rounded up, half since the greatest
+   number, 2^32 - 1, is 1. With it that number's depth is exactly 0. */
 static void write_segments(FILE *file)
 {
     uint32_t reciprocals[SEGMENTS], depths[SEGMENTS];
@@ -30,10 +32,11 @@ static void write_segments(FILE *file)
         mpfr_set_ui(depth, reciprocals[i], MPFR_RNDN);
         mpfr_div_ui(depth, depth, 32768, MPFR_RNDN);
         mpfr_log2(depth, depth, MPFR_RNDN);
-        depths[i] = curve_round(depth, 31, INT32_MAX);
+        depths[i] = curve_round(depth, 31, INT32_MAX) - 1u; /* modulo 2^32 */
     }
     write_table(file, 16, "log_reciprocal", reciprocals, SEGMENTS, "64 / (33 + i), Q1.15, cut");
-    write_table(file, 32, "log_depth", depths, SEGMENTS, "log2 of these, Q1.31");
+    write_table(file, 32, "log_depth", depths, SEGMENTS,
+                "log2 of these, Q1.31, less one unit; sums are modulo 2^32");
     mpfr_clear(depth);
 }
 

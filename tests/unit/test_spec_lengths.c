@@ -1,11 +1,11 @@
 /*
- * The worked examples S55 .. S61 of tests/SPEC.md: modes that weigh by length. The same
- * inputs and results as there, written out.
+ * The worked examples S57 .. S61 and S63 of tests/SPEC.md: samples and their light in the
+ * modes that weigh by length. The same inputs and results as there, written out.
  */
 #include "check.h"
 #include "bspline.h"
 #include "correct.h"
-#include "stretch.h"
+#include "march_levels.h"
 
 #define VOXEL INT64_C(0x100000000)
 
@@ -15,96 +15,6 @@
         assert_int_equal((v)[1], y);                                                               \
         assert_int_equal((v)[2], z);                                                               \
     } while (0)
-
-/* ---- The way through the box -------------------------------------------------- */
-
-static const qv_ray perspective_ray = {.place = {12323212785, 1843947829, 21687010078},
-                                       .advance = {-1519078587, 1887679198, -339392442}};
-static const qv_ray orthographic_ray = {.place = {5221135781, 8677510410, 9398355452},
-                                        .advance = {-1394831547, 1610612738, -2415900672},
-                                        .first = -QV_GRID_LIMIT};
-
-/* Clips a ray to a box of size (3, 4, 5). */
-static void clip(qv_ray *ray)
-{
-    const qv_context context = {.scene = {.phase = 0x5555, .volume = {.size = {3, 4, 5}}}};
-    qv_path_clip(ray, &context);
-}
-
-static void S55_way(void **state)
-{
-    qv_ray perspective = perspective_ray, orthographic = orthographic_ray;
-    qv_ray inside = {.place = {VOXEL, VOXEL, VOXEL}, .advance = {VOXEL / 2, 0, 0}};
-    (void)state;
-    clip(&perspective);
-    assert_int_equal(perspective.enter, 40970);
-    assert_int_equal(perspective.leave, 531646);
-    clip(&orthographic);
-    assert_int_equal(orthographic.enter, -327598);
-    assert_int_equal(orthographic.leave, 245314);
-    clip(&inside);
-    assert_int_equal(inside.enter, -21844);
-    assert_int_equal(inside.leave, 262144);
-}
-
-/* Clips a ray along x that starts n before the box: cut(n, d) is where it enters, or,
-   where it runs backwards, leaves. */
-static qv_ray towards_box(qv_coord n, qv_coord d)
-{
-    qv_ray ray = {.place = {-n, VOXEL, VOXEL}, .advance = {d, 0, 0}, .first = -QV_GRID_LIMIT};
-    clip(&ray);
-    return ray;
-}
-
-static void S55_cuts(void **state)
-{
-    (void)state;
-    assert_int_equal(towards_box(-5, 3).enter, -109226);
-    assert_int_equal(towards_box((VOXEL << 8) + (VOXEL << 7) - 1, VOXEL << 8).enter, 98302);
-    assert_int_equal(towards_box(123456789012345, -987654321).leave, -8191999926);
-}
-
-/* ---- Pieces ------------------------------------------------------------------- */
-
-static void expect_piece(const qv_run *run, uint32_t length, qv_coord x, qv_coord y, qv_coord z)
-{
-    assert_int_equal(run->length, length);
-    expect_vector(run->ray.place, x, y, z);
-}
-
-/* The first piece, the whole ones and the last one are three runs. */
-static void S56_pieces(void **state)
-{
-    qv_ray ray = perspective_ray;
-    qv_run run;
-    (void)state;
-    clip(&ray);
-    assert_int_equal(ray.samples, 8);
-    assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
-    expect_piece(&run, 57334, 8569980850, 1710655955, 19187284675);
-    assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
-    assert_int_equal(run.ray.samples, 6);
-    expect_piece(&run, 65536, 7145960571, 3480211185, 18869130154);
-    assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
-    expect_piece(&run, 40126, -1674017948, 14440335381, 16898571110);
-    assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 0);
-}
-
-static void S56_pieces_of_both_directions(void **state)
-{
-    qv_ray ray = orthographic_ray;
-    qv_run run;
-    (void)state;
-    clip(&ray);
-    assert_int_equal(ray.samples, 10);
-    assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
-    expect_piece(&run, 32686, 9706617968, -1110987519, 18733277192);
-    ray = orthographic_ray;
-    clip(&ray);
-    qv_path_reverse(&ray);
-    assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
-    expect_piece(&run, 15938, -1969477410, 12371406097, -1490158915);
-}
 
 /* ---- The medium --------------------------------------------------------------- */
 
@@ -436,24 +346,35 @@ static void S61_stored_opacity(void **state)
     }
 }
 
+/* ---- Levels ------------------------------------------------------------------- */
+
+static void S63_blended_samples(void **state)
+{
+    const entries all = corners(), one = corners_of(1, 1, 3);
+    qv_sample weighted = sample_corners(qv_sample_weighted, QV_STORAGE_RGBA8, &all);
+    const qv_sample nearest = sample_corners(qv_sample_nearest, QV_STORAGE_RGBA8, &all);
+    qv_sample converted = sample_corners(qv_sample_converted, QV_STORAGE_RGBA8, &all);
+    const qv_sample thin = sample_corners(qv_sample_converted, QV_STORAGE_RGBA8, &one);
+    qv_sample nothing;
+    (void)state;
+    qv_clear_sample(&nothing);
+    qv_blend_samples(&weighted, &nearest, 0x12345678);
+    expect_sample(&weighted, 4477274, 109125444, 827760328, 191877679);
+    qv_blend_samples(&converted, &thin, 0x12345678);
+    expect_scaled(&converted, 4, 240901142, 24359839, 170652022, 46584507);
+    qv_blend_samples(&nothing, &thin, 0x80000000u);
+    expect_scaled(&nothing, 13, 169776099, 20639132, 109853446, 41944043);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(S55_way),
-        cmocka_unit_test(S55_cuts),
-        cmocka_unit_test(S56_pieces),
-        cmocka_unit_test(S56_pieces_of_both_directions),
-        cmocka_unit_test(S57_corrected),
-        cmocka_unit_test(S57_extinction),
-        cmocka_unit_test(S57_converted),
-        cmocka_unit_test(S58_weights),
-        cmocka_unit_test(S58_samples),
-        cmocka_unit_test(S59_extinction_of_opacity),
-        cmocka_unit_test(S59_by_bspline),
-        cmocka_unit_test(S60_corrected),
-        cmocka_unit_test(S60_nearly_opaque),
-        cmocka_unit_test(S61_stored_extinction),
-        cmocka_unit_test(S61_stored_opacity),
+        cmocka_unit_test(S57_corrected),      cmocka_unit_test(S57_extinction),
+        cmocka_unit_test(S57_converted),      cmocka_unit_test(S58_weights),
+        cmocka_unit_test(S58_samples),        cmocka_unit_test(S59_extinction_of_opacity),
+        cmocka_unit_test(S59_by_bspline),     cmocka_unit_test(S60_corrected),
+        cmocka_unit_test(S60_nearly_opaque),  cmocka_unit_test(S61_stored_extinction),
+        cmocka_unit_test(S61_stored_opacity), cmocka_unit_test(S63_blended_samples),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -68,7 +68,7 @@ void make_head(subject *made)
     const qv_block all = {{0, 0, 0}, {nx, ny, nz}};
     made->name = "head";
     made->kept = 0;
-    made->levels = 4;
+    made->levels = 5;
     made->view = (paper_view){148, 12, 262.0 / edge, 1, edge, edge};
     paper_volume_make(&made->made, nx, ny, nz);
     paper_require(qv_transfer_build(&table, points, sizeof points / sizeof points[0]) == QV_OK &&

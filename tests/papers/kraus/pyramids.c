@@ -20,8 +20,8 @@ typedef struct method {
     ref_mode mode;
 } method;
 
-static const method by_opacity = {"opacity", &qv_corrected_rgba16, REF_CORRECTED};
-static const method by_extinction = {"extinction", &qv_extinction_rgbt16, REF_EXTINCTION};
+static const method by_opacity = {"opacity", &qv_corrected_rgba16_levels, REF_CORRECTED};
+static const method by_extinction = {"extinction", &qv_extinction_rgbt16_levels, REF_EXTINCTION};
 
 /* ---- From opacity to extinction ------------------------------------------------- */
 
@@ -63,18 +63,6 @@ static double left(const paper_picture *of, const paper_picture *level0, unsigne
     return mean(of, level0, channel) / mean(level0, level0, channel);
 }
 
-/* A level as a volume of its own, with its own step. */
-static void look_at_level(qv_scene *scene, const subject *of, const paper_pyramid *pyramid,
-                          unsigned level)
-{
-    paper_view view = of->view;
-    view.step *= 1u << level;
-    paper_require(qv_pyramid_level(&scene->volume, &of->made.volume, &pyramid->pyramid,
-                                   (uint8_t)level) == QV_OK,
-                  "cannot describe a level");
-    paper_look(scene, &view);
-}
-
 /* A level's pixels on the lattice, by the library and by the reference. */
 typedef struct level_pictures {
     paper_picture ours, exact;
@@ -114,11 +102,14 @@ static void render_levels(FILE *table, const char *folder, const subject *of, co
     char name[64];
     memset(&scene, 0, sizeof scene);
     paper_pyramid_make(&pyramid, &of->made.volume, &qv_filter_box4, &qv_domain_stored, of->levels);
+    scene.volume = of->made.volume;
+    scene.pyramid = &pyramid.pyramid;
     scene.sampling = as->sampling;
+    paper_look(&scene, &of->view);
     for (unsigned level = 0; level <= of->levels; level++) {
         level_pictures *const made = level == 0 ? &first : &coarser;
         (void)snprintf(name, sizeof name, "%s-%s-%u", of->name, as->name, level);
-        look_at_level(&scene, of, &pyramid, level);
+        scene.level = (uint16_t)(256 * level);
         render_level(made, folder, name, &scene, of, as->mode);
         if (level > 0) {
             add_row(table, name, &coarser, &first, of->kept);

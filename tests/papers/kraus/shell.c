@@ -40,9 +40,9 @@ static void fill_shell(uint16_t rgba[4], const unsigned at[3], const void *from)
 
 static void make(subject *made, const shell *of)
 {
-    made->levels = 4;
+    made->levels = 5;
     made->kept = 3;
-    made->view = (paper_view){30, 25, 1.0 * size / edge, 1, edge, edge};
+    made->view = (paper_view){30, 25, 1.3 * size / edge, 1, edge, edge};
     paper_volume_make(&made->made, size, size, size);
     paper_volume_fill(&made->made, fill_shell, of);
 }
