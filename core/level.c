@@ -3,7 +3,7 @@
 #include "pyramid.h"
 
 #define MOST_DISTANCE ((uint32_t)1 << 23)
-#define HALF_STEP     (QV_STEP_Q16 / 2)
+#define HALF_STEP     (QV_STEP / 2)
 #define BLEND_BITS    24 /* from Q8.8 to Q0.32 */
 
 qv_status qv_level_check(const qv_scene *scene)
@@ -21,7 +21,7 @@ qv_status qv_level_check(const qv_scene *scene)
 /* Where the border before a stretch lies. */
 static int64_t border(int64_t stretch)
 {
-    return stretch * QV_STEP_Q16 - HALF_STEP;
+    return stretch * QV_STEP - HALF_STEP;
 }
 
 /* The span of a stretch, where the level rises with the distance. */
@@ -58,13 +58,12 @@ void qv_span_begin(qv_span *span, const qv_ray *ray, const qv_scene *scene)
 
 /* The middle lies in the octave, so that the share is below 1. Pieces are 2^level steps of
    the octave, which are fewer where a run has more than one. */
-void qv_span_blend(qv_span *span, int64_t begin, const qv_run *run)
+void qv_span_blend(qv_span *span, const qv_run *run)
 {
     if (span->octave == 0)
         return;
-    int64_t middle = begin + run->length / 2u - border(0);
-    uint64_t beyond = (uint64_t)(middle - (int64_t)span->octave * QV_STEP_Q16); /* < 2^38 */
-    span->blend = (uint32_t)fx_divide(beyond << 16, span->octave);
+    uint64_t beyond = (uint64_t)(run->middle - border(span->octave)); /* < 2^46 */
+    span->blend = (uint32_t)fx_divide(beyond << (32u - QV_STEP_BITS), span->octave);
     span->rise = (uint32_t)fx_divide((uint64_t)1 << (32u + span->level), span->octave);
 }
 

@@ -28,9 +28,8 @@ typedef struct qv_span {
  */
 void qv_span_begin(qv_span *span, const qv_ray *ray, const qv_scene *scene);
 
-/* Sets the share of the coarser level, and its rise, for a run taken from the span, which
-   began at this position. */
-void qv_span_blend(qv_span *span, int64_t begin, const qv_run *run);
+/* Sets the share of the coarser level, and its rise, for a run taken from the span. */
+void qv_span_blend(qv_span *span, const qv_run *run);
 
 /* Two neighbouring levels as volumes. */
 typedef struct qv_levels {

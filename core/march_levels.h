@@ -79,11 +79,10 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
     int more = 1;
     levels.finer = QV_NO_LEVEL;
     for (qv_path_clip(ray, context); more;) {
-        int64_t begin = ray->enter;
         qv_span_begin(&span, ray, &context->scene);
         if (!qv_next_run(&run, ray, span.end, span.level))
             break;
-        qv_span_blend(&span, begin, &run);
+        qv_span_blend(&span, &run);
         qv_levels_describe(&levels, span.level, &context->scene);
         more = qv_march_run(light, &gathered, &run, ray, context, storage, family,
                             qv_look_at_levels, &sight);

@@ -3,28 +3,38 @@
 #include "fx_bits.h"
 
 #define QUOTIENT_BITS 23u
-#define FRACTION_BITS 16u
-#define FARTHEST      ((int64_t)QV_GRID_LIMIT * QV_STEP_Q16)
-#define HALF_STEP     (QV_STEP_Q16 / 2)
+#define FARTHEST      (QV_GRID_LIMIT * QV_STEP)
+#define HALF_STEP     (QV_STEP / 2)
+#define LENGTH_SHIFT  (QV_STEP_BITS - 16u) /* from positions to a run's length */
 
-/*
- * rest / d in 1/2^16, cut to an even number, for rest < d <= 2^40. Both are scaled until d
- * has 32 bits; 16 of them then guess the quotient, at most 2 too high.
- */
+/* The next 16 bits of rest / d, for rest < d and 2^31 <= d: the upper half of d makes a
+   guess that is at most 2 too high. What is left goes to rest. */
+static uint32_t next_digit(uint32_t *rest, uint32_t d)
+{
+    uint64_t dividend = (uint64_t)*rest << 16;
+    uint32_t guess = *rest / (d >> 16); /* <= 2^16 + 2 */
+    while (fx_wide_product(guess, d) > dividend)
+        guess--;
+    *rest = (uint32_t)(dividend - fx_wide_product(guess, d));
+    return guess;
+}
+
+/* rest / d in 1/2^24, cut to an even number, for rest < d <= 2^40: both are scaled until d
+   has 32 bits. */
 static uint32_t fraction(uint64_t rest, uint64_t d)
 {
     for (; d >> 32 != 0; d >>= 1)
         rest >>= 1;
     unsigned shift = fx_leading_zeros((uint32_t)d);
     uint32_t divisor = (uint32_t)d << shift, part = (uint32_t)rest << shift;
-    uint32_t guess = part / (divisor >> 16); /* <= 2^16 + 2 */
-    while (fx_wide_product(guess, divisor) > (uint64_t)part << 16)
-        guess--;
-    return (guess < 0xFFFFu ? guess : 0xFFFFu) & 0xFFFEu;
+    if (part == divisor) /* the two differed in what was shifted out */
+        part--;
+    uint32_t upper = next_digit(&part, divisor);
+    return (upper << 8 | next_digit(&part, divisor) >> 8) & 0xFFFFFEu;
 }
 
 /*
- * n / d in 1/2^16, cut to an even number, for n < 2^62 and 0 < d <= 2^40, by shift and
+ * n / d in 1/2^24, cut to an even number, for n < 2^62 and 0 < d <= 2^40, by shift and
  * subtract; twice the farthest position where the whole part does not fit.
  */
 static int64_t quotient(uint64_t n, uint64_t d)
@@ -48,7 +58,7 @@ static int64_t quotient(uint64_t n, uint64_t d)
         n -= d;
         q |= 1u;
     }
-    return ((int64_t)q << FRACTION_BITS) + fraction(n, d);
+    return ((int64_t)q << QV_STEP_BITS) + fraction(n, d);
 }
 
 /* Where a ray meets a plane that lies `way` ahead of sample 0; an even position. */
@@ -79,13 +89,13 @@ static void narrow_to_slab(qv_ray *ray, unsigned axis, qv_coord size)
 
 int32_t qv_stretch_of(int64_t position)
 {
-    return (int32_t)fx_shift_floor(position + HALF_STEP, FRACTION_BITS);
+    return (int32_t)fx_shift_floor(position + HALF_STEP, QV_STEP_BITS);
 }
 
 void qv_path_clip(qv_ray *ray, const qv_context *context)
 {
     const qv_scene *scene = &context->scene;
-    ray->enter = ray->first == 0 ? -(int64_t)(scene->phase & ~1u) : -FARTHEST;
+    ray->enter = ray->first == 0 ? -((int64_t)scene->phase << LENGTH_SHIFT) : -FARTHEST;
     ray->leave = FARTHEST;
     for (unsigned axis = 0; axis < 3; axis++)
         narrow_to_slab(ray, axis, (qv_coord)scene->volume.size[axis] << 32);
@@ -95,16 +105,25 @@ void qv_path_clip(qv_ray *ray, const qv_context *context)
     ray->samples = ray->all;
 }
 
-/* Puts a run's ray to a position, in voxels of the level. The way there is below 2^23
-   steps of at most 2^8 voxels, and the point lies in the box. */
-static void place_at(qv_run *run, const qv_ray *ray, int64_t position, unsigned level)
+/* advance * part, to nearest, for a part of a step in 1/2^24 and |advance| <= 2^40. */
+static qv_coord part_of(qv_coord advance, uint32_t part)
 {
-    int32_t whole = (int32_t)fx_shift_floor(position, FRACTION_BITS);
+    qv_coord upper = fx_multiply(advance, (int32_t)(part >> 8)); /* |upper| <= 2^56 */
+    qv_coord lower = fx_multiply(advance, (int32_t)(part & 0xFFu));
+    return fx_shift_floor(upper + fx_shift_floor(lower, 8) + 0x8000, 16);
+}
+
+/* Puts a run's ray to the middle, in voxels of the level. The way there is below 2^23
+   steps of at most 2^8 voxels, and the point lies in the box. */
+static void place_run(qv_run *run, const qv_ray *ray, unsigned level)
+{
+    int32_t whole = (int32_t)fx_shift_floor(run->middle, QV_STEP_BITS);
+    uint32_t part = (uint32_t)run->middle & (uint32_t)(QV_STEP - 1);
     for (unsigned axis = 0; axis < 3; axis++) {
         qv_coord advance = ray->advance[axis];
         qv_coord point = ray->place[axis] + fx_multiply(advance, whole);
-        if ((position & 0xFFFF) != 0)
-            point += qv_phase_of(advance, (uint16_t)(position & 0xFFFF));
+        if (part != 0)
+            point += part_of(advance, part);
         run->ray.place[axis] = fx_shift_floor(point, level) + QV_CENTRED;
         run->ray.advance[axis] = advance; /* 2^level steps are so many voxels of the level */
     }
@@ -112,16 +131,18 @@ static void place_at(qv_run *run, const qv_ray *ray, int64_t position, unsigned 
 
 int qv_next_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level)
 {
-    int64_t whole = (int64_t)QV_STEP_Q16 << level;
+    int64_t whole = QV_STEP << level;
     int64_t left = (end < ray->leave ? end : ray->leave) - ray->enter;
     if (left <= 0)
         return 0;
     /* from the border before, modulo a power of 2 whatever the sign */
     int64_t behind = (int64_t)((uint64_t)(ray->enter + HALF_STEP) & ((uint64_t)whole - 1u));
     int64_t length = whole - behind < left ? whole - behind : left;
-    run->ray.samples = length == whole ? (uint32_t)(left >> (FRACTION_BITS + level)) : 1u;
-    run->length = (uint32_t)length; /* <= 2^28 */
-    place_at(run, ray, ray->enter + length / 2, level);
+    run->ray.samples = length == whole ? (uint32_t)(left >> (QV_STEP_BITS + level)) : 1u;
+    /* to nearest; <= 2^28 */
+    run->length = (uint32_t)((length + (1 << LENGTH_SHIFT) / 2) >> LENGTH_SHIFT);
+    run->middle = ray->enter + length / 2;
+    place_run(run, ray, level);
     ray->enter += length * run->ray.samples;
     return 1;
 }

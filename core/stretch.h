@@ -1,7 +1,7 @@
 /*
  * stretch.h - a ray's way through the box, cut into pieces that know their length.
  *
- * Positions t on a ray are counted in steps from sample 0, with 16 fraction bits.
+ * Positions t on a ray are counted in steps from sample 0, with 24 fraction bits.
  * The stretch of sample k reaches from k - 1/2 to k + 1/2. Positions where a ray
  * enters and leaves are even, so that every piece has a middle.
  */
@@ -10,11 +10,13 @@
 
 #include "ray.h"
 
-#define QV_STEP_Q16 65536
+#define QV_STEP_BITS 24u
+#define QV_STEP      ((int64_t)1 << QV_STEP_BITS)
 
 /* Pieces of equal length that follow each other. */
 typedef struct qv_run {
     qv_ray ray;      /* at the middle of the first; `samples` counts the pieces that remain */
+    int64_t middle;  /* of the first, a position */
     uint32_t length; /* of each, in steps of the volume, Q16.16 */
 } qv_run;
 
@@ -25,7 +27,7 @@ int32_t qv_stretch_of(int64_t position);
  * Finds enter and leave of a ray: the way through the box of the scene's volume, in
  * perspective from the eye on. place stays. all and samples count the pieces, 0 where the
  * ray misses.
- * enter and leave are cut to 2^-15 step towards sample 0.
+ * enter and leave are cut to 2^-23 step towards sample 0.
  */
 void qv_path_clip(qv_ray *ray, const qv_context *context);
 
