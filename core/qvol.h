@@ -34,7 +34,7 @@
  *   borders between stretches cut the ray's way through the box into pieces, and
  *   each piece is sampled at its middle, with its own length. So the pieces add up
  *   to the way, and all but the first and the last are whole steps. Where a ray
- *   enters and leaves is known to 2^-16 of a step.
+ *   enters and leaves is known to 2^-23 of a step, the length of a piece to 2^-17.
  * Reconstruction reads the sample's point rounded to 1/256 voxel on each axis,
  *   to nearest, ties upwards; rays advance in steps of 2^-32 voxel.
  * Colour. 255 of 8 bits and 65535 of 16 bits are exactly 1. Stored colours are
