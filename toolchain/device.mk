@@ -22,14 +22,16 @@ SCAN ?= /usr/share/mricron/templates/ch2.nii.gz
 SCAN_OPTIONS ?= --tf oled --reduce 3x4x3
 OLED_VIEW ?= --azimuth 97 --elevation 3 --zoom 1.75
 
-FIRMWARE := golden bench functions size_orthographic size_perspective $(TARGET_FIRMWARE)
+FIRMWARE := golden_steps golden_lengths golden_bsplines bench functions size_orthographic size_perspective $(TARGET_FIRMWARE)
 COUNT_PLUGIN := $(BUILD)/emulator/count.so
 
 # Sources of each firmware beside the port and the library.
 FIRMWARE_size_orthographic := $(addprefix port/cortex-m/,firmware_size.c firmware_size_orthographic.c)
 FIRMWARE_size_perspective := $(addprefix port/cortex-m/,firmware_size.c firmware_size_perspective.c)
-FIRMWARE_golden := tests/golden/golden_device.c tests/golden/scenes.c tests/golden/volume.c \
-	tests/golden/render.c
+GOLDEN_ON_DEVICE := $(addprefix tests/golden/,golden_device.c scenes.c volume.c render.c)
+FIRMWARE_golden_steps := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_steps_device.c set_steps.c)
+FIRMWARE_golden_lengths := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_lengths_device.c set_lengths.c)
+FIRMWARE_golden_bsplines := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_bsplines_device.c set_bsplines.c)
 FIRMWARE_bench := tests/bench/bench_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c

@@ -1,30 +1,32 @@
 #!/bin/sh
 # The golden scenes on the emulated Cortex-M0 (16 KB of RAM) and Cortex-M3, small
-# and fast builds: the checksums of the host.
+# and fast builds: the checksums of the host. A program for each set of scenes.
 set -eu
 . tests/tap
 build=${BUILD:-build}
 
-# run TARGET BOARD OPTIMISE: one result for each scene, and one for the run.
+# run TARGET BOARD OPTIMISE SET: one result for each scene, and one for the run.
 run() {
     top=$build/golden$3
     code=0
     : >"$work/tap"
-    make -s TARGET="$1" OPTIMISE="$3" BUILD="$top" "$top/$1/golden.elf" >&2 &&
-        toolchain/emulate "$2" "$top/$1/golden.elf" >"$work/tap" || code=$?
+    make -s TARGET="$1" OPTIMISE="$3" BUILD="$top" "$top/$1/golden_$4.elf" >&2 &&
+        toolchain/emulate "$2" "$top/$1/golden_$4.elf" >"$work/tap" || code=$?
     while read -r line; do
         case $line in
         ok\ *) outcome 0 "$1 $3 ${line#*- }" ;;
         not\ ok\ *) outcome 1 "$1 $3 ${line#*- }" ;;
-        \#*) echo "# $1 $3: ${line#\# }" ;;
+        \#*) echo "# $1 $3 $4: ${line#\# }" ;;
         esac
     done <"$work/tap"
     grep -q '^1\.\.' "$work/tap" || code=1
-    outcome $code "$1 $3 ran to its end"
+    outcome $code "$1 $3 golden_$4 ran to its end"
 }
 
 for optimise in -Os -O3; do
-    run cortex-m0 microbit $optimise
-    run cortex-m3 lm3s6965evb $optimise
+    for set in steps lengths bsplines; do
+        run cortex-m0 microbit $optimise $set
+        run cortex-m3 lm3s6965evb $optimise $set
+    done
 done
 finish

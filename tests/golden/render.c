@@ -14,25 +14,6 @@ const char *const golden_way_name[GOLDEN_WAYS] = {
     [GOLDEN_PIECES] = "pieces",
 };
 
-static const qv_sampling *find_sampling(const golden_scene *golden)
-{
-    static const qv_sampling *const table[4][3][2] = {
-        {{&qv_nearest_rgba8, &qv_nearest_rgba8_back_to_front},
-         {&qv_separate_rgba8, &qv_separate_rgba8_back_to_front},
-         {&qv_weighted_rgba8, &qv_weighted_rgba8_back_to_front}},
-        {{&qv_nearest_rgba16, &qv_nearest_rgba16_back_to_front},
-         {&qv_separate_rgba16, &qv_separate_rgba16_back_to_front},
-         {&qv_weighted_rgba16, &qv_weighted_rgba16_back_to_front}},
-        {{&qv_nearest_indexed8, &qv_nearest_indexed8_back_to_front},
-         {&qv_separate_indexed8, &qv_separate_indexed8_back_to_front},
-         {&qv_weighted_indexed8, &qv_weighted_indexed8_back_to_front}},
-        {{&qv_nearest_indexed8_16, &qv_nearest_indexed8_16_back_to_front},
-         {&qv_separate_indexed8_16, &qv_separate_indexed8_16_back_to_front},
-         {&qv_weighted_indexed8_16, &qv_weighted_indexed8_16_back_to_front}},
-    };
-    return table[golden->storage - QV_STORAGE_RGBA8][golden->mode][golden->order];
-}
-
 static const qv_format *find_format(const golden_scene *golden)
 {
     static const qv_format *const table[GOLDEN_FORMATS] = {
@@ -63,12 +44,18 @@ static qv_status point_camera(qv_scene *scene, const golden_scene *golden)
 
 qv_status golden_make(qv_scene *scene, golden_memory *memory, const golden_scene *golden)
 {
-    *scene = (qv_scene){.sampling = find_sampling(golden),
+    *scene = (qv_scene){.sampling = golden->mode->sampling,
                         .phase = golden->phase,
-                        .termination = golden->termination};
+                        .termination = golden->termination,
+                        .level = golden->level,
+                        .level_distance = golden->level_distance};
     for (unsigned channel = 0; channel < 4; channel++)
         scene->background[channel] = golden->background[channel];
     qv_status status = golden_volume(&scene->volume, memory, golden);
+    if (status == QV_OK && golden->mode->order == GOLDEN_LEVELS) {
+        status = golden_pyramid(memory, &scene->volume, golden);
+        scene->pyramid = &memory->pyramid;
+    }
     return status == QV_OK ? point_camera(scene, golden) : status;
 }
 

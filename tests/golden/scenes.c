@@ -1,9 +1,9 @@
 /*
  * scenes.c - the golden scenes, each made from its number.
  *
- * Storage, sampling, order and format run through all their combinations; the
- * rest is drawn from small tables by a generator seeded with the number. Whoever
- * changes anything here runs `make golden-update`.
+ * Sampling modes and formats follow each other; the rest is drawn from small tables
+ * by a generator seeded with the number. Whoever changes anything here runs `make
+ * golden-update`.
  */
 #include "random.h"
 #include "scenes.h"
@@ -40,6 +40,18 @@ static const qv_angle fields_of_view[] = {0, DEGREES(20), 0, DEGREES(45), 0, DEG
 static const uint32_t steps[] = {
     Q16(1, 1), Q16(1, 2), Q16(3, 4), Q16(3, 2), Q16(5, 16), Q16(1, 7),
 };
+
+/* Of modes that weigh by length. */
+static const uint32_t long_steps[] = {
+    Q16(1, 16), Q16(1, 4), Q16(3, 4), Q16(1, 1), Q16(5, 2), Q16(16, 1),
+};
+
+/* Unit distances in 1/16 step; 0: the step, not named. */
+static const uint32_t unit_ratios[] = {0, 16, 1, 9, 20, 48, 256};
+
+static const uint32_t extinctions[] = {Q16(1, 1), Q16(5, 2), Q16(16, 1), Q16(40, 1) + 1};
+
+static const qv_filter *const filters[] = {&qv_filter_box2, &qv_filter_box4, &qv_filter_quad4};
 
 static const uint16_t phases[] = {0, 0x8000, 0x5555, 1, 0xFFFF};
 
@@ -83,13 +95,19 @@ static uint32_t visible_extent(const golden_scene *golden)
     return (sum - longest) / 2;
 }
 
+static bool by_length(const golden_scene *golden)
+{
+    return golden->mode->family >= GOLDEN_CORRECTED;
+}
+
 static void draw_view(golden_scene *golden, uint32_t *state)
 {
     golden->azimuth = angles[DRAW(state, angles)];
     golden->elevation = angles[DRAW(state, angles)];
     golden->roll = angles[DRAW(state, angles)];
     golden->field_of_view = fields_of_view[DRAW(state, fields_of_view)];
-    golden->step = steps[DRAW(state, steps)];
+    golden->step =
+        by_length(golden) ? long_steps[DRAW(state, long_steps)] : steps[DRAW(state, steps)];
     golden->phase = phases[DRAW(state, phases)];
     golden->termination = terminations[DRAW(state, terminations)];
     uint32_t background = DRAW(state, backgrounds);
@@ -119,32 +137,70 @@ static void draw_rows(golden_scene *golden, uint32_t *state)
     golden->piece = (uint16_t)(1 + random_below(state, 100));
 }
 
-void golden_describe(golden_scene *golden, uint32_t number)
+/* A level everywhere or, of half the eyes, one that rises from 1 to 16 world units on. */
+static void draw_levels(golden_scene *golden, uint32_t *state)
+{
+    uint32_t most = qv_pyramid_levels(golden->size) * 256u;
+    golden->filter = filters[DRAW(state, filters)];
+    golden->level = (uint16_t)random_below(state, most + 1);
+    if (golden->field_of_view != 0 && random_below(state, 2) != 0) {
+        golden->level = golden->level / 2 & 0x100;
+        golden->level_distance = 1 + ((1 + random_below(state, 16)) << 16) / golden->step;
+    }
+}
+
+/* Thin voxels stand for little length, or nothing would be seen; nearly opaque ones for a
+   step at least, or the last bits of weights would be seen. */
+static uint32_t draw_unit_distance(const golden_scene *golden, uint32_t *state)
+{
+    uint32_t step = golden->step, unit = step * unit_ratios[DRAW(state, unit_ratios)] / 16;
+    if (golden->content == GOLDEN_THIN && step >= QV_ONE_Q16)
+        return QV_ONE_Q16 / 4;
+    if (golden->content == GOLDEN_BALL && unit < step)
+        return step;
+    return unit;
+}
+
+static void draw_lengths(golden_scene *golden, uint32_t *state)
+{
+    golden->unit_distance = draw_unit_distance(golden, state);
+    golden->extinction = extinctions[DRAW(state, extinctions)];
+    if (golden->mode->order == GOLDEN_LEVELS)
+        draw_levels(golden, state);
+}
+
+void golden_describe(golden_scene *golden, const golden_set *set, uint32_t number)
 {
     uint32_t state = number;
-    golden->storage = (qv_storage)(QV_STORAGE_RGBA8 + number % 4);
-    golden->mode = (golden_mode)(number / 4 % 3);
-    golden->order = (golden_order)(number / 12 % 2);
-    golden->format = (golden_format)(number % GOLDEN_FORMATS);
+    *golden = (golden_scene){.mode = &set->modes[(number - set->first) % set->mode_count],
+                             .format = (golden_format)(number % GOLDEN_FORMATS)};
     draw_volume(golden, &state);
     draw_view(golden, &state);
     draw_rect(golden, &state);
     draw_rows(golden, &state);
+    if (by_length(golden))
+        draw_lengths(golden, &state);
     golden->seed = state;
 }
 
 void golden_name(const char *word[GOLDEN_WORDS], const golden_scene *golden)
 {
-    static const char *const modes[] = {"nearest", "separate", "weighted"};
-    static const char *const storages[] = {"rgba8", "rgba16", "indexed8", "indexed8_16"};
-    static const char *const orders[] = {"front to back", "back to front"};
+    static const char *const families[] = {
+        "nearest",    "separate",         "weighted",           "corrected",
+        "extinction", "bspline_weighted", "bspline_extinction",
+    };
+    static const char *const storages[] = {
+        "rgba8", "rgba16", "indexed8",    "indexed8_16",
+        "rgbt8", "rgbt16", "indexed8_t8", "indexed8_t16",
+    };
+    static const char *const orders[] = {"front to back", "back to front", "levels"};
     static const char *const formats[] = {
         "rgba8888", "bgra8888", "rgb888",          "rgb565_le",     "rgb565_be",
         "l8",       "grey4",    "mono_horizontal", "mono_vertical",
     };
-    word[0] = modes[golden->mode];
-    word[1] = storages[golden->storage - QV_STORAGE_RGBA8];
-    word[2] = orders[golden->order];
+    word[0] = families[golden->mode->family];
+    word[1] = storages[golden->mode->sampling->storage - QV_STORAGE_RGBA8];
+    word[2] = orders[golden->mode->order];
     word[3] = golden->field_of_view == 0 ? "orthographic" : "perspective";
     word[4] = formats[golden->format];
 }

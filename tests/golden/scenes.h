@@ -2,10 +2,11 @@
  * scenes.h - small seeded scenes whose pictures have known checksums on every
  * target, compiler and optimisation level.
  *
- * The scenes cover every storage, sampling mode and order of compositing with
- * each other, and every pixel format, both projections, odd sizes, strides,
- * spacings, steps, phases, backgrounds and terminations at least once. A scene
- * takes less than 13 KB with all its data, so that it runs where RAM is 16 KB.
+ * The scenes cover every sampling mode, and every pixel format, both projections,
+ * odd sizes, strides, spacings, steps, phases, backgrounds and terminations at
+ * least once. A scene takes less than 13 KB with all its data, so that it runs where
+ * RAM is 16 KB. Scenes come in sets, since the code of all modes is more than some
+ * devices' flash holds.
  */
 #ifndef GOLDEN_SCENES_H
 #define GOLDEN_SCENES_H
@@ -14,9 +15,41 @@
 #include <stddef.h>
 #include "qvol.h"
 
-typedef enum golden_mode { GOLDEN_NEAREST, GOLDEN_SEPARATE, GOLDEN_WEIGHTED } golden_mode;
+/* The modes from GOLDEN_CORRECTED on weigh by length. */
+typedef enum golden_family {
+    GOLDEN_NEAREST,
+    GOLDEN_SEPARATE,
+    GOLDEN_WEIGHTED,
+    GOLDEN_CORRECTED,
+    GOLDEN_EXTINCTION,
+    GOLDEN_BSPLINE_WEIGHTED,
+    GOLDEN_BSPLINE_EXTINCTION
+} golden_family;
 
-typedef enum golden_order { GOLDEN_FRONT_TO_BACK, GOLDEN_BACK_TO_FRONT } golden_order;
+typedef enum golden_order {
+    GOLDEN_FRONT_TO_BACK,
+    GOLDEN_BACK_TO_FRONT,
+    GOLDEN_LEVELS /* front to back through a pyramid */
+} golden_order;
+
+/* A sampling mode; its storage stands in the descriptor. */
+typedef struct golden_mode {
+    const qv_sampling *sampling;
+    golden_family family;
+    golden_order order;
+} golden_mode;
+
+/* Scenes whose modes one program of a device can hold: they take them in turn. */
+typedef struct golden_set {
+    const golden_mode *modes;
+    uint32_t mode_count;
+    uint32_t first, end; /* numbers of its scenes */
+} golden_set;
+
+enum { GOLDEN_FIRST_LENGTHS = 48, GOLDEN_FIRST_BSPLINES = 120, GOLDEN_SCENES = 192 };
+
+/* Modes that know no lengths, trilinear ones that weigh by length, and B-splines. */
+extern const golden_set golden_steps, golden_lengths, golden_bsplines;
 
 typedef enum golden_format {
     GOLDEN_RGBA8888,
@@ -52,14 +85,17 @@ typedef enum golden_layout {
 
 typedef struct golden_scene {
     uint32_t seed;
+    const golden_mode *mode;
     golden_content content;
-    qv_storage storage;
     golden_layout layout;
     uint16_t size[3];
-    uint32_t spacing[3]; /* Q16.16 */
+    uint32_t spacing[3];                /* Q16.16 */
+    uint32_t unit_distance, extinction; /* Q16.16 */
 
-    golden_mode mode;
-    golden_order order;
+    const qv_filter *filter; /* of the pyramid */
+    uint16_t level;
+    uint32_t level_distance;
+
     qv_angle azimuth, elevation, roll;
     qv_angle field_of_view; /* 0: orthographic */
     uint32_t pitch, step;   /* Q16.16 */
@@ -76,10 +112,8 @@ typedef struct golden_scene {
     uint16_t piece;  /* pixels in a piece */
 } golden_scene;
 
-enum { GOLDEN_SCENES = 48 };
-
-/* Makes scene number 0 .. GOLDEN_SCENES - 1. */
-void golden_describe(golden_scene *golden, uint32_t number);
+/* Makes a scene of a set. */
+void golden_describe(golden_scene *golden, const golden_set *set, uint32_t number);
 
 /* The words of a scene's name, such as "weighted", "indexed8", "back to front". */
 enum { GOLDEN_WORDS = 5 };
@@ -91,16 +125,21 @@ enum { GOLDEN_VOXEL_BYTES = 5120, GOLDEN_SCALARS = 512, GOLDEN_PIXEL_BYTES = 256
 typedef struct golden_memory {
     qv_transfer table;
     uint8_t palette[QV_PALETTE_ENTRIES][4];
-    uint16_t scalars[GOLDEN_SCALARS];
+    uint16_t scalars[GOLDEN_SCALARS]; /* once they are classified, the coarser levels */
     uint16_t voxels[GOLDEN_VOXEL_BYTES / 2];
     uint8_t pixels[GOLDEN_PIXEL_BYTES];
+    qv_pyramid pyramid;
 } golden_memory;
 
 /* Fills the memory from the seed and describes the volume. A negative status
    when the library refuses the data, QV_ERROR_BUFFER when the memory is small. */
 qv_status golden_volume(qv_volume *volume, golden_memory *memory, const golden_scene *golden);
 
-/* The same for the whole scene. */
+/* Makes all coarser levels of a volume. Errors as above. */
+qv_status golden_pyramid(golden_memory *memory, const qv_volume *volume,
+                         const golden_scene *golden);
+
+/* Both, and the scene that sees them. */
 qv_status golden_make(qv_scene *scene, golden_memory *memory, const golden_scene *golden);
 
 /* The ways to render one picture; all give the same bytes. */

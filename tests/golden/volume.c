@@ -67,7 +67,14 @@ static bool is_filled(const golden_scene *golden, const uint16_t at[3])
 
 /* ---- Memory --------------------------------------------------------------- */
 
-static uint32_t voxel_bytes(qv_storage storage)
+/* The storage with opacity for extinction, which looks the same in memory. */
+static uint8_t with_opacity(const golden_scene *golden)
+{
+    uint8_t storage = golden->mode->sampling->storage;
+    return storage < QV_STORAGE_RGBT8 ? storage : (uint8_t)(storage - QV_STORAGE_INDEXED8_16);
+}
+
+static uint32_t voxel_bytes(uint8_t storage)
 {
     switch (storage) {
     case QV_STORAGE_RGBA8:
@@ -84,7 +91,7 @@ static uint32_t voxel_bytes(qv_storage storage)
 static bool lay_out(qv_volume *volume, golden_memory *memory, const golden_scene *golden)
 {
     const uint16_t *size = golden->size;
-    int32_t bytes = (int32_t)voxel_bytes(golden->storage);
+    int32_t bytes = (int32_t)voxel_bytes(with_opacity(golden));
     bool transposed = golden->layout == GOLDEN_TRANSPOSED;
     bool mirrored = golden->layout == GOLDEN_MIRRORED;
     int32_t gap = golden->layout == GOLDEN_PADDED ? 2 * bytes : 0;
@@ -103,7 +110,7 @@ static bool lay_out(qv_volume *volume, golden_memory *memory, const golden_scene
     return true;
 }
 
-static void store_voxel(uint8_t *voxel, qv_storage storage, const uint16_t rgba[4], uint8_t index)
+static void store_voxel(uint8_t *voxel, uint8_t storage, const uint16_t rgba[4], uint8_t index)
 {
     for (unsigned channel = 0; channel < 4; channel++) {
         if (storage == QV_STORAGE_RGBA8)
@@ -125,7 +132,7 @@ static void random_voxel(uint8_t *voxel, uint32_t *state, const golden_scene *go
         rgba[3] = 0;
         index = 0;
     }
-    store_voxel(voxel, golden->storage, rgba, index);
+    store_voxel(voxel, with_opacity(golden), rgba, index);
 }
 
 static void random_voxels(golden_memory *memory, const qv_volume *volume, uint32_t *state,
@@ -202,18 +209,18 @@ static qv_status classify(golden_memory *memory, uint32_t *state, const golden_s
     for (unsigned axis = 0; axis < 3; axis++)
         classifier.scalars.spacing[axis] = golden->spacing[axis];
     qv_transfer_to_palette8(memory->palette, &memory->table);
-    return qv_classify(memory->voxels, sizeof memory->voxels, (uint8_t)golden->storage, &classifier,
+    return qv_classify(memory->voxels, sizeof memory->voxels, with_opacity(golden), &classifier,
                        &whole);
 }
 
 /* ---- The volume ----------------------------------------------------------- */
 
-static void attach_palette(qv_volume *volume, golden_memory *memory)
+static void attach_palette(qv_volume *volume, golden_memory *memory, uint8_t storage)
 {
-    if (volume->storage == QV_STORAGE_INDEXED8) {
+    if (storage == QV_STORAGE_INDEXED8) {
         volume->palette = (qv_address)memory->palette;
         volume->palette_bytes = sizeof memory->palette;
-    } else if (volume->storage == QV_STORAGE_INDEXED8_16) {
+    } else if (storage == QV_STORAGE_INDEXED8_16) {
         volume->palette = (qv_address)&memory->table;
         volume->palette_bytes = sizeof memory->table;
     }
@@ -222,17 +229,52 @@ static void attach_palette(qv_volume *volume, golden_memory *memory)
 qv_status golden_volume(qv_volume *volume, golden_memory *memory, const golden_scene *golden)
 {
     uint32_t state = golden->seed;
-    *volume = (qv_volume){.storage = (uint8_t)golden->storage};
+    *volume = (qv_volume){.storage = golden->mode->sampling->storage,
+                          .unit_distance = golden->unit_distance,
+                          .extinction = golden->extinction};
     for (unsigned axis = 0; axis < 3; axis++) {
         volume->size[axis] = golden->size[axis];
         volume->spacing[axis] = golden->spacing[axis];
     }
-    attach_palette(volume, memory);
+    attach_palette(volume, memory, with_opacity(golden));
     if (!lay_out(volume, memory, golden))
         return QV_ERROR_BUFFER;
     if (golden->content == GOLDEN_CLASSIFIED)
         return classify(memory, &state, golden);
     random_palette(memory, &state, golden->content);
     random_voxels(memory, volume, &state, golden);
+    return QV_OK;
+}
+
+/* ---- The pyramid ------------------------------------------------------------ */
+
+/* Opacities are averaged as extinction where the mode samples them so. */
+static const qv_domain *find_domain(const qv_volume *volume, const golden_scene *golden)
+{
+    bool extinction = golden->mode->family == GOLDEN_EXTINCTION ||
+                      golden->mode->family == GOLDEN_BSPLINE_EXTINCTION;
+    return extinction && volume->storage < QV_STORAGE_RGBT8 ? &qv_domain_extinction
+                                                            : &qv_domain_stored;
+}
+
+qv_status golden_pyramid(golden_memory *memory, const qv_volume *volume, const golden_scene *golden)
+{
+    qv_pyramid *pyramid = &memory->pyramid;
+    uint8_t levels = qv_pyramid_levels(volume->size);
+    *pyramid = (qv_pyramid){(qv_address)memory->scalars, sizeof memory->scalars, levels};
+    for (uint8_t number = 1; number <= levels; number++) {
+        qv_volume finer, level;
+        qv_status status = qv_pyramid_level(&finer, volume, pyramid, (uint8_t)(number - 1));
+        if (status == QV_OK)
+            status = qv_pyramid_level(&level, volume, pyramid, number);
+        if (status != QV_OK)
+            return status;
+        size_t before = (size_t)(level.voxels - pyramid->voxels);
+        status =
+            qv_downsample((uint8_t *)memory->scalars + before, sizeof memory->scalars - before,
+                          &finer, golden->filter, find_domain(volume, golden), 0, level.size[2]);
+        if (status != QV_OK)
+            return status;
+    }
     return QV_OK;
 }
