@@ -16,7 +16,10 @@ cd "$work" || exit 1
 IN=in_12x10x8_uint8.raw
 for command in "info $IN" "render $IN -o a.pam --shade --mask $IN --mask-tf fog --json=a.json" \
     "render $IN -o a.raw --storage indexed8" "compare a.pam a.pam -o d.pam" "classify $IN -o a.h --fit 1500" \
-    "classify $IN -o a.bin --reduce 2x1x3"; do
+    "classify $IN -o a.bin --reduce 2x1x3" "classify $IN -o a.bin --storage rgbt8 --mask $IN --mask-tf fog --json" \
+    "render $IN -o a.raw --level auto --json=a.json" "pyramid $IN -o a.h --storage indexed8 --extinction 9" \
+    "pyramid $IN -o a.bin --storage rgba8 --json" \
+    "render a.bin --dims 12x10x8 --type rgba8 --level 1.5 --sampling bspline-extinction -o a.raw"; do
     # shellcheck disable=SC2086
     check "no leak: $command" "$program" $command
 done
@@ -58,6 +61,16 @@ seeds = [
     ("h.pam", pam, len(pam) - 480, ["compare", "h.pam", "h.pam"]),
     ("i.tf", transfer, len(transfer), ["render", "plain_12x10x8_uint8.raw", "--tf", "./i.tf", "-o", "o.raw", "--size", "8x8"]),
 ]
+levelled = bytes(v // 3 for v in values for _ in range(4)) + bytes(range(143)) * 4
+wide = bytes(v // 3 for v in values for _ in range(8)) + bytes(range(143)) * 8
+SIZE_AND_OUTPUT = ["--dims", "12x10x8", "-o", "o.raw", "--size", "8x8"]
+seeds += [
+    ("k.bin", levelled, len(levelled), ["render", "k.bin", "--type", "rgba8", "--level", "1.5"] + SIZE_AND_OUTPUT),
+    ("l.bin", wide, len(wide), ["render", "l.bin", "--type", "rgbt16be", "--extinction", "9", "--level", "auto"]
+     + SIZE_AND_OUTPUT),
+    ("m.palette", bytes(range(256)) * 4, 1024, ["render", "plain_12x10x8_uint8.raw", "--type", "indexed8",
+     "--palette", "m.palette", "--extinction", "9", "--sampling", "bspline-extinction"] + SIZE_AND_OUTPUT),
+]
 if png:
     seeds.append(("j.png", png, len(png), ["compare", "j.png", "j.png"]))
 write("plain_12x10x8_uint8.raw", packed(values))
@@ -87,6 +100,39 @@ def mutate(data, head, chance):
         head = min(head, len(data))
     return bytes(data)
 
+OPTIONS = {
+    "--sampling": ("weighted", "extinction", "bspline-weighted", "bspline-extinction", "nearest"),
+    "--storage": ("rgba8", "rgba16", "indexed8", "rgbt8", "rgbt16"),
+    "--unit-distance": ("0.00390625", "0.3", "1", "7.5", "4096", "1e-9", "nan"),
+    "--extinction": ("auto", "0.0000152587890625", "0.2", "64", "65535", "65536"),
+    "--level": ("auto", "0", "0.004", "1.5", "4", "5", "12", "-0", "1e9"),
+    "--step": ("0.0625", "0.3", "1", "16"),
+    "--filter": ("box2", "box4", "quad4"),
+    "--domain": ("extinction", "opacity"),
+    "--spacing": ("1x1x16", "1e-9x1e-9x1e-8", "0.3x0.3x1"),
+    "--perspective": ("1", "40", "150"),
+    "--zoom": ("0.001", "0.1", "900"),
+    "--order": ("back-to-front",),
+}
+
+def options(chance):
+    """A few options that are fine one by one."""
+    names = chance.sample(sorted(OPTIONS), chance.randrange(1, 7))
+    return [word for name in names for word in (name, chance.choice(OPTIONS[name]))]
+
+def is_wrong(what, command):
+    """Whether it ends otherwise than it may; and whether it was accepted."""
+    try:
+        run = subprocess.run([program] + command, capture_output=True, timeout=30, stdin=subprocess.DEVNULL)
+        status, said = run.returncode, run.stderr
+    except subprocess.TimeoutExpired:
+        status, said = "hangs", b""
+    lines = said.count(b"\n")
+    good = status == 0 and lines == 0 or status in (1, 2) and lines == 1 and said.endswith(b"\n")
+    if not good:
+        print(f"# mutation {what}: status {status}, {said[-600:]!r}")
+    return not good, status == 0
+
 wrong = accepted = 0
 for number in range(count):
     chance = random.Random(number)
@@ -97,17 +143,20 @@ for number in range(count):
         if number % 3 == 0 and number >= len(seeds):
             bad = mutate(bad, len(bad), chance)
     write(name, bad)
-    try:
-        run = subprocess.run([program] + command, capture_output=True, timeout=30, stdin=subprocess.DEVNULL)
-        status, said = run.returncode, run.stderr
-    except subprocess.TimeoutExpired:
-        status, said = "hangs", b""
-    accepted += status == 0
-    lines = said.count(b"\n")
-    if not (status == 0 and lines == 0 or status in (1, 2) and lines == 1 and said.endswith(b"\n")):
-        wrong += 1
-        print(f"# mutation {number} of {name}: status {status}, {said[-600:]!r}")
+    is_bad, is_accepted = is_wrong(f"{number} of {name}", command)
+    wrong += is_bad
+    accepted += is_accepted
+    if is_bad:
         write(f"wrong-{number}-{name}", bad)
+drawn = 0
+for number in range(count // 4):
+    command = ["render", "plain_12x10x8_uint8.raw", "-o", "o.raw", "--size", "8x8", "--tf", "surface"]
+    command += options(random.Random(f"options {number}"))
+    is_bad, is_drawn = is_wrong(" ".join(command), command)
+    wrong += is_bad
+    drawn += is_drawn
+print(f"# {count // 4} sets of options, {drawn} drawn")
+wrong += drawn < count // 20
 print(f"# {count} mutations, {accepted} accepted, {wrong} wrong")
 sys.exit(wrong > 0 or accepted < len(seeds) or accepted > count // 2)
 END
@@ -116,5 +165,5 @@ status=$?
 grep '^# [0-9]' report
 grep '^# mutation' report >&2
 [ -z "${KEEP_WRONG:-}" ] || cp wrong-* "$KEEP_WRONG" 2>/dev/null
-outcome $status "$MUTATIONS mutated files: no crash, no hang, one line"
+outcome $status "$MUTATIONS mutated files, a quarter as many sets of options: no crash, no hang, one line"
 finish

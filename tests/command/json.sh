@@ -40,15 +40,28 @@ def scalar(place):
     share = (source["slope"] * value + source["offset"] - low) / (high - low)
     return math.floor(65535 * min(1, max(0, share)) + .5)
 
+volume = report["volume"]
+step_length = camera["step_q16"] / 65536
+mode, by_length = report["sampling"]["mode"], report["sampling"]["by_length"]
+
+def fourth(value):
+    """Opacity, or depth per world unit where samples are of extinction."""
+    if report["transfer"]["channels"] == "rgbt":
+        return value * volume["extinction_q16"] / 65536
+    if mode != "extinction":
+        return value
+    return (-math.log2(1 - value) if value < 1 else 64) / (volume["unit_distance_q16"] / 65536)
+
 def voxel(place):
     place = [min(size - 1, max(0, p)) for p, size in zip(place, scalars["size"])]
     span = scalars["high"] - scalars["low"]
     index = (2 * 255 * (scalar(place) - scalars["low"]) + span) // (2 * span)
     r, g, b, a = (c / 65535 for c in report["transfer"]["table"][min(255, max(0, index))])
+    a = fourth(a)
     return (r * a, g * a, b * a, a)
 
 def sample(position):
-    if report["sampling"]["mode"] == "nearest":
+    if mode == "nearest":
         return voxel([math.floor(p) for p in position])
     base = [math.floor(p - .5) for p in position]
     part = [p - .5 - b for p, b in zip(position, base)]
@@ -59,6 +72,17 @@ def sample(position):
         for channel, value in enumerate(voxel([b + bit for b, bit in zip(base, bits)])):
             total[channel] += weight * value
     return total
+
+def over_length(colours, length):
+    """Weighted colours and opacity of a piece of so many world units."""
+    *weighted, fourth = colours
+    if fourth <= 0:
+        return [0] * 4
+    if mode == "extinction":
+        opacity = 1 - 2 ** (-fourth * length)
+    else:
+        opacity = 1 - (1 - fourth) ** (length / (volume["unit_distance_q16"] / 65536))
+    return [c / fourth * opacity for c in weighted] + [opacity]
 
 ONE = 1 << 32
 size = report["volume"]["size"]
@@ -73,15 +97,35 @@ def ray(x, y):
     step = [p / ONE * v / length for p, v in zip(camera["pace"], view)]
     return [o / ONE for o in camera["origin"]], step, 0
 
-def pixel(x, y):
-    origin, step, first = ray(x, y)
-    light, through = [0, 0, 0], 1
+def inside(position):
+    return all(0 <= p < n for p, n in zip(position, size))
+
+def whole_steps(origin, step, first):
     for k in range(first, 600):
         position = [o + (k + phase) * s for o, s in zip(origin, step)]
-        if all(0 <= p < n for p, n in zip(position, size)):
-            r, g, b, a = sample([math.floor(p * 256 + .5) / 256 for p in position])
-            light = [l + through * c for l, c in zip(light, (r, g, b))]
-            through *= 1 - a
+        if inside(position):
+            yield position, 1
+
+def pieces(origin, step, first):
+    """Middles and lengths in steps of what the borders make of the way through the box."""
+    ends = [sorted((-o / s, (n - o) / s)) if s else (-math.inf, math.inf) if 0 <= o < n else (0, -1)
+            for o, s, n in zip(origin, step, size)]
+    enter, leave = max(e[0] for e in ends), min(e[1] for e in ends)
+    enter = max(enter, 0) if first == 0 else enter
+    if enter < leave:
+        borders = range(math.floor(enter) - 1, math.ceil(leave) + 2)
+        cuts = [enter] + [k + phase - .5 for k in borders if enter < k + phase - .5 < leave] + [leave]
+        for start, end in zip(cuts, cuts[1:]):
+            yield [o + (start + end) / 2 * s for o, s in zip(origin, step)], end - start
+
+def pixel(x, y):
+    light, through = [0, 0, 0], 1
+    for position, length in (pieces if by_length else whole_steps)(*ray(x, y)):
+        colours = sample([math.floor(p * 256 + .5) / 256 for p in position])
+        if by_length:
+            colours = over_length(colours, length * step_length)
+        light = [l + through * c for l, c in zip(light, colours)]
+        through *= 1 - colours[3]
     back = report["frame"]["background"]
     return [255 * (l + through * c / 255 * back[3] / 255) for l, c in zip(light, back)]
 
@@ -105,6 +149,12 @@ again() { # again NAME INPUT OPTION...
 again "nearest" in_12x10x8_uint8.raw --tf surface --sampling nearest --azimuth 25 --elevation 15 --window 10:200
 again "weighted, phase, step" in_12x10x8_uint8.raw --tf surface --azimuth 25 --step 0.7 --phase 0.3
 again "perspective, background" in_12x10x8_uint8.raw --tf rainbow --perspective 40 --roll 20 --background 204060
+again "weighted by length" in_12x10x8_uint8.raw --tf surface --azimuth 25 --step 0.7 --phase 0.3 --unit-distance 1.5
+again "extinction, large steps" in_12x10x8_uint8.raw --tf surface --azimuth 25 --elevation 8 --step 1.7 --sampling extinction
+again "extinction in storage, perspective" in_12x10x8_uint8.raw --tf surface --perspective 40 --step 0.6 \
+    --unit-distance 2 --storage rgbt16 --spacing 1x1x1.5
+again "a palette of extinction" in_12x10x8_uint8.raw --tf rainbow --roll 20 --storage indexed8 --palette-bits 16 \
+    --extinction 3 --phase 0.9
 again "reoriented floats, scaled" a.nii --tf surface --elevation 30 --spacing 1x1.5x1
 check "checksum of the device's bytes" "$PYTHON" -c '
 import json, zlib
@@ -132,6 +182,17 @@ assert whole(*r["shading"]["light"], *r["shading"]["viewer"], r["shading"]["glos
 assert r["frame"]["bytes"] == 24 * 20 * 2 and len(r["frame"]["crc32"]) == 8
 s = r["statistics"]
 assert s["samples"] > s["skipped"] >= 0 and s["rays"] == 480 and s["seconds"] >= 0'
+"$QVOL" render in_12x10x8_uint8.raw -o a.raw --size 24x20 --tf surface --sampling bspline-extinction --level 1.5 \
+    --storage rgbt8 --unit-distance 2 --json >levels.json
+check "sampling, unit distance, extinction and level are named" "$PYTHON" -c '
+import json
+r = json.load(open("levels.json"))
+s, v = r["sampling"], r["volume"]
+assert (s["mode"], s["by_length"], s["level_q8"], s["level_distance"]) == ("bspline-extinction", True, 384, 0)
+assert v["storage"] == "rgbt8" and v["unit_distance_q16"] == 131072 and v["extinction_q16"] > 65536
+assert r["transfer"]["channels"] == "rgbt" and r["pyramid"]["filter"] == "quad4"
+assert r["pyramid"]["domain"] == "extinction" and [l["size"] for l in r["pyramid"]["levels"]] == [
+    [6, 5, 4], [3, 3, 2], [2, 2, 1], [1, 1, 1]]'
 "$QVOL" render in_12x10x8_uint8.raw -o a.raw --size 24x20 --mask in_12x10x8_uint8.raw --mask-tf surface \
     --json >mask.json
 check "the mask is reported as the input is" "$PYTHON" -c '
