@@ -59,7 +59,7 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x3ed97e1au, /* 47 weighted, indexed8_16, back to front, perspective, rgb888 */
     0x61f5c361u, /* 48 corrected, rgba8, front to back, orthographic, rgb565_le */
     0x3b6316f9u, /* 49 corrected, rgba16, front to back, perspective, rgb565_be */
-    0xcc9b8d3cu, /* 50 corrected, indexed8, front to back, perspective, l8 */
+    0x1af9a57cu, /* 50 corrected, indexed8, front to back, perspective, l8 */
     0xf8bd2531u, /* 51 corrected, indexed8_16, front to back, orthographic, grey4 */
     0x65618b30u, /* 52 extinction, rgba8, front to back, perspective, mono_horizontal */
     0x6694406eu, /* 53 extinction, rgba16, front to back, orthographic, mono_vertical */
@@ -72,9 +72,9 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x0aeca86bu, /* 60 corrected, rgba8, back to front, orthographic, grey4 */
     0x9b644e03u, /* 61 corrected, rgba16, back to front, perspective, mono_horizontal */
     0xcc2514bau, /* 62 corrected, indexed8, back to front, orthographic, mono_vertical */
-    0xda89081fu, /* 63 corrected, indexed8_16, back to front, perspective, rgba8888 */
+    0x26010efau, /* 63 corrected, indexed8_16, back to front, perspective, rgba8888 */
     0x24ecbb49u, /* 64 extinction, rgba8, back to front, orthographic, bgra8888 */
-    0x0a9697bbu, /* 65 extinction, rgba16, back to front, perspective, rgb888 */
+    0xbe919c6cu, /* 65 extinction, rgba16, back to front, perspective, rgb888 */
     0xa286a70cu, /* 66 extinction, indexed8, back to front, perspective, rgb565_le */
     0x298e501du, /* 67 extinction, indexed8_16, back to front, orthographic, rgb565_be */
     0x58d4ca73u, /* 68 extinction, rgbt8, back to front, orthographic, l8 */
@@ -82,15 +82,15 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x2f1f282fu, /* 70 extinction, indexed8_t8, back to front, perspective, mono_horizontal */
     0xa1c2ea4cu, /* 71 extinction, indexed8_t16, back to front, orthographic, mono_vertical */
     0xe8bfe752u, /* 72 corrected, rgba8, levels, perspective, rgba8888 */
-    0x029c2370u, /* 73 corrected, rgba16, levels, orthographic, bgra8888 */
+    0xc21edfc2u, /* 73 corrected, rgba16, levels, orthographic, bgra8888 */
     0x9a860c31u, /* 74 corrected, indexed8, levels, perspective, rgb888 */
     0x6a4ce0d7u, /* 75 corrected, indexed8_16, levels, perspective, rgb565_le */
     0x2bbaa3c6u, /* 76 extinction, rgba8, levels, orthographic, rgb565_be */
-    0xdb683405u, /* 77 extinction, rgba16, levels, orthographic, l8 */
+    0x8a71d7e2u, /* 77 extinction, rgba16, levels, orthographic, l8 */
     0x11e1fe5cu, /* 78 extinction, indexed8, levels, orthographic, grey4 */
     0x50a1338eu, /* 79 extinction, indexed8_16, levels, perspective, mono_horizontal */
     0x528d4e01u, /* 80 extinction, rgbt8, levels, orthographic, mono_vertical */
-    0xd20885e1u, /* 81 extinction, rgbt16, levels, perspective, rgba8888 */
+    0xfde1164bu, /* 81 extinction, rgbt16, levels, perspective, rgba8888 */
     0x79324b53u, /* 82 extinction, indexed8_t8, levels, perspective, bgra8888 */
     0x44f6e5dfu, /* 83 extinction, indexed8_t16, levels, orthographic, rgb888 */
     0x08c958a6u, /* 84 corrected, rgba8, front to back, orthographic, rgb565_le */
@@ -108,18 +108,18 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x1cbc3f88u, /* 96 corrected, rgba8, back to front, perspective, grey4 */
     0xc0d234efu, /* 97 corrected, rgba16, back to front, orthographic, mono_horizontal */
     0x145a9d3au, /* 98 corrected, indexed8, back to front, orthographic, mono_vertical */
-    0x97c0b164u, /* 99 corrected, indexed8_16, back to front, perspective, rgba8888 */
+    0x7b374c0au, /* 99 corrected, indexed8_16, back to front, perspective, rgba8888 */
     0xd30378eeu, /* 100 extinction, rgba8, back to front, orthographic, bgra8888 */
     0x1d1500ebu, /* 101 extinction, rgba16, back to front, orthographic, rgb888 */
     0x30916f2fu, /* 102 extinction, indexed8, back to front, orthographic, rgb565_le */
     0x70918b5fu, /* 103 extinction, indexed8_16, back to front, orthographic, rgb565_be */
-    0x009bb4e2u, /* 104 extinction, rgbt8, back to front, perspective, l8 */
+    0x9d6d3fa7u, /* 104 extinction, rgbt8, back to front, perspective, l8 */
     0x9bac54abu, /* 105 extinction, rgbt16, back to front, perspective, grey4 */
     0xdf6f6ac6u, /* 106 extinction, indexed8_t8, back to front, perspective, mono_horizontal */
     0x90d9f9fcu, /* 107 extinction, indexed8_t16, back to front, orthographic, mono_vertical */
     0x953bf586u, /* 108 corrected, rgba8, levels, orthographic, rgba8888 */
     0x3cd86c79u, /* 109 corrected, rgba16, levels, perspective, bgra8888 */
-    0x7834435eu, /* 110 corrected, indexed8, levels, orthographic, rgb888 */
+    0xa76f3a14u, /* 110 corrected, indexed8, levels, orthographic, rgb888 */
     0xacd986aeu, /* 111 corrected, indexed8_16, levels, perspective, rgb565_le */
     0x7c0f134fu, /* 112 extinction, rgba8, levels, orthographic, rgb565_be */
     0xcb045abfu, /* 113 extinction, rgba16, levels, orthographic, l8 */
@@ -136,7 +136,7 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x9af06021u, /* 124 bspline_extinction, rgba8, front to back, perspective, mono_horizontal */
     0x10a2297bu, /* 125 bspline_extinction, rgba16, front to back, orthographic, mono_vertical */
     0xc3f64623u, /* 126 bspline_extinction, indexed8, front to back, orthographic, rgba8888 */
-    0x1a3769b9u, /* 127 bspline_extinction, indexed8_16, front to back, perspective, bgra8888 */
+    0xbf3dd3b2u, /* 127 bspline_extinction, indexed8_16, front to back, perspective, bgra8888 */
     0xae5503edu, /* 128 bspline_extinction, rgbt8, front to back, perspective, rgb888 */
     0xff91bb99u, /* 129 bspline_extinction, rgbt16, front to back, orthographic, rgb565_le */
     0x523c798fu, /* 130 bspline_extinction, indexed8_t8, front to back, orthographic, rgb565_be */
@@ -145,8 +145,8 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0xcfdf9d76u, /* 133 bspline_weighted, rgba16, back to front, perspective, mono_horizontal */
     0x3c1e4bfcu, /* 134 bspline_weighted, indexed8, back to front, orthographic, mono_vertical */
     0x4467567bu, /* 135 bspline_weighted, indexed8_16, back to front, perspective, rgba8888 */
-    0xad47d2cbu, /* 136 bspline_extinction, rgba8, back to front, perspective, bgra8888 */
-    0xd2f9a484u, /* 137 bspline_extinction, rgba16, back to front, perspective, rgb888 */
+    0xf0dd056fu, /* 136 bspline_extinction, rgba8, back to front, perspective, bgra8888 */
+    0xd4d98215u, /* 137 bspline_extinction, rgba16, back to front, perspective, rgb888 */
     0x17c1bdc2u, /* 138 bspline_extinction, indexed8, back to front, perspective, rgb565_le */
     0x4532887bu, /* 139 bspline_extinction, indexed8_16, back to front, perspective, rgb565_be */
     0x9ee2ed8fu, /* 140 bspline_extinction, rgbt8, back to front, orthographic, l8 */
@@ -164,7 +164,7 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x097bcf9fu, /* 152 bspline_extinction, rgbt8, levels, perspective, mono_vertical */
     0x9f840db1u, /* 153 bspline_extinction, rgbt16, levels, orthographic, rgba8888 */
     0xe3a13176u, /* 154 bspline_extinction, indexed8_t8, levels, orthographic, bgra8888 */
-    0x7e782cc2u, /* 155 bspline_extinction, indexed8_t16, levels, orthographic, rgb888 */
+    0xd2e30bc4u, /* 155 bspline_extinction, indexed8_t16, levels, orthographic, rgb888 */
     0x77369fbeu, /* 156 bspline_weighted, rgba8, front to back, perspective, rgb565_le */
     0x0a626ecfu, /* 157 bspline_weighted, rgba16, front to back, perspective, rgb565_be */
     0xd636e60cu, /* 158 bspline_weighted, indexed8, front to back, orthographic, l8 */
@@ -172,7 +172,7 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x43d7ad9fu, /* 160 bspline_extinction, rgba8, front to back, orthographic, mono_horizontal */
     0x6c39ea6fu, /* 161 bspline_extinction, rgba16, front to back, orthographic, mono_vertical */
     0x0baa8f25u, /* 162 bspline_extinction, indexed8, front to back, perspective, rgba8888 */
-    0xaf1456ebu, /* 163 bspline_extinction, indexed8_16, front to back, perspective, bgra8888 */
+    0xf816f2ddu, /* 163 bspline_extinction, indexed8_16, front to back, perspective, bgra8888 */
     0xf037e62au, /* 164 bspline_extinction, rgbt8, front to back, orthographic, rgb888 */
     0xeace8fdcu, /* 165 bspline_extinction, rgbt16, front to back, orthographic, rgb565_le */
     0x0e5ad0efu, /* 166 bspline_extinction, indexed8_t8, front to back, orthographic, rgb565_be */
@@ -189,7 +189,7 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0xe5a42162u, /* 177 bspline_extinction, rgbt16, back to front, perspective, grey4 */
     0xfe584851u, /* 178 bspline_extinction, indexed8_t8, back to front, perspective, mono_horizontal */
     0xdc036097u, /* 179 bspline_extinction, indexed8_t16, back to front, perspective, mono_vertical */
-    0xa89bdde5u, /* 180 bspline_weighted, rgba8, levels, perspective, rgba8888 */
+    0xecca2852u, /* 180 bspline_weighted, rgba8, levels, perspective, rgba8888 */
     0xb29b84b1u, /* 181 bspline_weighted, rgba16, levels, orthographic, bgra8888 */
     0x175074e9u, /* 182 bspline_weighted, indexed8, levels, orthographic, rgb888 */
     0x41342794u, /* 183 bspline_weighted, indexed8_16, levels, orthographic, rgb565_le */
