@@ -4,7 +4,7 @@
  */
 #include "golden.h"
 #include "scenes.h"
-#include "semihosting.h"
+#include "console.h"
 #include "stack.h"
 
 static golden_memory memory;
