@@ -3,12 +3,10 @@
  */
 #include "commands.h"
 #include "error.h"
-#include "flash_array.h"
+#include "export.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Voxels are classified and written slice by slice, in about so many bytes. */
 #define STRIP_BYTES (4u << 20)
@@ -61,29 +59,8 @@ static void reduce(struct model *model, const struct settings *settings)
     }
 }
 
-/* Where the strips go: a C array, or a raw file in the byte order asked for. */
-struct target {
-    output out;
-    bool is_array;
-    bool swap;
-    struct flash_array array;
-};
-
-/* The strip may be swapped in place: it is not needed again. */
-static void write_strip(struct target *target, void *voxels, size_t bytes)
-{
-    if (target->is_array) {
-        flash_array_voxels(&target->array, voxels, bytes);
-        return;
-    }
-    if (target->swap) {
-        swap_words(voxels, bytes, 2);
-    }
-    output_write(&target->out, voxels, bytes);
-}
-
 /* Only one strip of classified voxels is in memory at a time. */
-static void write_voxels(struct target *target, const struct model *model)
+static void write_voxels(struct export *export, const struct model *model)
 {
     const qv_scalars *scalars = &model->classifier.scalars;
     size_t slice =
@@ -94,73 +71,37 @@ static void write_voxels(struct target *target, const struct model *model)
         uint32_t end = z + slices < scalars->size[2] ? z + slices : scalars->size[2];
         size_t bytes = slice * (end - z);
         model_classify(strip, bytes, model, z, end);
-        write_strip(target, strip, bytes);
+        export_voxels(export, strip, bytes);
     }
     free(strip);
-}
-
-/* OUT.palette, beside the voxels. */
-static void write_palette(const struct model *model, const struct settings *settings)
-{
-    output out;
-    size_t bytes = strlen(settings->output) + sizeof ".palette";
-    char *name = allocate(bytes, settings->output, NULL);
-    bool swap = settings->big_endian != machine_is_big_endian();
-    snprintf(name, bytes, "%s.palette", settings->output);
-    output_open(&out, name);
-    if (swap && model->palette_bytes == QV_PALETTE16_BYTES) {
-        swap_words(model->palette, model->palette_bytes, 2);
-    }
-    output_write(&out, model->palette, model->palette_bytes);
-    output_commit(&out);
-    free(name);
 }
 
 /* What can be refused before anything is read. */
 static void check_settings(const struct settings *settings)
 {
-    if (settings->output == NULL) {
-        usage_error("--output", "is missing");
-    }
+    export_check_settings(settings);
     if (settings->fit != 0 && settings->reduce[0] != 0) {
         usage_error("--fit", "chooses the factors that --reduce gives");
     }
 }
 
-static void export(struct model *model, const struct settings *settings)
-{
-    struct target target;
-    memset(&target, 0, sizeof target);
-    target.is_array = settings_want_array(settings);
-    target.swap =
-        model->storage == QV_STORAGE_RGBA16 && settings->big_endian != machine_is_big_endian();
-    output_open(&target.out, settings->output);
-    if (target.is_array) {
-        flash_array_begin(&target.array, &target.out, model, settings);
-    }
-    write_voxels(&target, model);
-    if (target.is_array) {
-        flash_array_end(&target.array);
-    }
-    if (!target.is_array && model->palette != NULL) {
-        write_palette(model, settings);
-    }
-    output_commit(&target.out);
-}
-
 int command_classify(const struct settings *settings)
 {
     struct model model;
+    struct export export;
+    qv_volume volume;
     check_settings(settings);
     model_read(&model, settings, settings->operands[0], QV_STORAGE_INDEXED8);
     if (model.classified_before) {
         data_error(model.scan.file, "type", "is classified already");
     }
-    if (model.palette != NULL && is_standard_stream(settings->output)) {
-        usage_error("--output", "the palette of indexed8 needs a file beside the voxels");
-    }
+    export_check_model(&model, settings);
     reduce(&model, settings);
-    export(&model, settings);
+    model_hold_extinction(&model, settings);
+    model_describe(&volume, &model);
+    export_begin(&export, &model, &volume, NULL, settings);
+    write_voxels(&export, &model);
+    export_end(&export);
     model_free(&model);
     return EXIT_SUCCESS;
 }

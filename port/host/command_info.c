@@ -3,7 +3,7 @@
  */
 #include "commands.h"
 #include "error.h"
-#include "report.h"
+#include "report_model.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -90,6 +90,9 @@ static void print_text(const struct scan *scan, const struct spread *spread)
     printf("type         %s\n", choice_name(element_names, (int)scan->type));
     printf("spacing      %g x %g x %g\n", scan->spacing[0], scan->spacing[1], scan->spacing[2]);
     printf("orientation  %s\n", scan->oriented ? orientation : "unknown");
+    if (scan->levels != NULL) {
+        printf("levels       %llu bytes\n", (unsigned long long)scan->level_bytes);
+    }
     if (element_is_classified(scan->type)) {
         return;
     }
@@ -150,6 +153,6 @@ int command_info(const struct settings *settings)
     } else {
         print_text(&scan, &spread);
     }
-    free(scan.values);
+    scan_free(&scan);
     finish_output();
 }

@@ -5,6 +5,7 @@
 #include "error.h"
 #include "frame.h"
 #include "report.h"
+#include "sampling.h"
 #include "scene.h"
 
 #include <stdlib.h>
@@ -64,24 +65,31 @@ int command_render(const struct settings *settings)
     struct model model;
     struct frame frame;
     struct view view;
-    qv_scene scene;
+    struct levels levels = {0};
+    qv_scene scene = {0};
     output picture, report;
     check_outputs(settings);
     writer = choose_writer(settings);
     frame_create(&frame, settings);
     model_read(&model, settings, settings->operands[0], QV_STORAGE_RGBA16);
+    scene.sampling = sampling_choose(settings, model.storage);
     model_volume(&scene.volume, &model, settings);
+    if (settings->level_given) {
+        levels_create(&levels, &scene.volume, &model, settings);
+        scene.pyramid = &levels.pyramid;
+    }
     scene_create(&scene, &view, &model, settings);
     frame_render(&frame, &scene, settings);
     output_open(&picture, settings->output);
     write_frame(&picture, &frame, writer);
     if (settings->json != NULL) {
         output_open(&report, settings->json);
-        report_scene(&report, &model, &scene, &view, &frame, settings);
+        report_scene(&report, &model, &scene, &levels, &view, &frame, settings);
         output_commit(&report);
     }
     output_commit(&picture);
     frame_free(&frame);
+    levels_free(&levels);
     model_free(&model);
     return EXIT_SUCCESS;
 }

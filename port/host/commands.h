@@ -10,5 +10,6 @@ int command_render(const struct settings *settings);
 int command_info(const struct settings *settings);
 int command_compare(const struct settings *settings);
 int command_classify(const struct settings *settings);
+int command_pyramid(const struct settings *settings);
 
 #endif

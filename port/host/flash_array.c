@@ -62,24 +62,54 @@ static void print_file_name(struct flash_array *array, const char *file)
     }
 }
 
-static void print_comment(struct flash_array *array)
+/* Of classification, where it happened here. */
+static void print_origin(struct flash_array *array)
 {
     const struct model *model = array->model;
-    const qv_scalars *scalars = &model->classifier.scalars;
-    print(array, "/*\n * Written by qvol classify; do not edit.\n *\n * source     ");
-    print_file_name(array, model->scan.file);
-    print(array, "\n * size       %u x %u x %u voxels\n", scalars->size[0], scalars->size[1],
-          scalars->size[2]);
-    print(array, " * spacing    %.6g x %.6g x %.6g\n",
-          model->world_unit * scalars->spacing[0] / QV_ONE_Q16,
-          model->world_unit * scalars->spacing[1] / QV_ONE_Q16,
-          model->world_unit * scalars->spacing[2] / QV_ONE_Q16);
-    print(array, " * world unit %.6g\n", model->world_unit);
+    if (model->classified_before) {
+        return;
+    }
     print(array, " * window     %.9g .. %.9g\n", model->view.window[0], model->view.window[1]);
     print(array, " * transfer   ");
     print_file_name(array, model->transfer.name);
-    print(array, "%s\n * storage    %s\n */\n", model->shaded ? ", shaded" : "",
-          storage_name(model->storage));
+    print(array, "%s\n", model->shaded ? ", shaded" : "");
+}
+
+static void print_lengths(struct flash_array *array)
+{
+    const qv_volume *volume = array->volume;
+    double unit = array->model->world_unit;
+    print(array, " * spacing    %.6g x %.6g x %.6g\n", unit * volume->spacing[0] / QV_ONE_Q16,
+          unit * volume->spacing[1] / QV_ONE_Q16, unit * volume->spacing[2] / QV_ONE_Q16);
+    print(array, " * world unit %.6g\n", unit);
+    if (volume->extinction != 0) {
+        print(array, " * extinction %.9g per world unit, of the full value\n",
+              (double)volume->extinction / QV_ONE_Q16);
+    }
+}
+
+static void print_comment(struct flash_array *array)
+{
+    const struct model *model = array->model;
+    const qv_volume *volume = array->volume;
+    print(array, "/*\n * Written by qvol %s; do not edit.\n *\n * source     ",
+          array->levels != NULL ? "pyramid" : "classify");
+    print_file_name(array, model->scan.file);
+    print(array, "\n * size       %u x %u x %u voxels\n", volume->size[0], volume->size[1],
+          volume->size[2]);
+    print_lengths(array);
+    print_origin(array);
+    print(array, " * storage    %s\n", storage_name(model->storage));
+    if (array->levels != NULL) {
+        print(array, " * levels     1 to %u, filter %s, domain %s\n", array->levels->pyramid.levels,
+              array->levels->filter, array->levels->domain);
+    }
+    print(array, " */\n");
+}
+
+static const char *linkage(const struct flash_array *array)
+{
+    return array->header_file ? "static " : "";
 }
 
 /* An array of words is aligned as 16-bit storage must be. */
@@ -88,23 +118,29 @@ static void start_array(struct flash_array *array, const char *what, unsigned wo
 {
     array->word_bytes = word_bytes;
     array->column = 0;
-    print(array, "\n%sconst uint%u_t %s_%s[%" PRIu64 "] = {\n", array->header_file ? "static " : "",
-          8 * word_bytes, array->name, what, words);
+    print(array, "\n%sconst uint%u_t %s_%s[%" PRIu64 "] = {\n", linkage(array), 8 * word_bytes,
+          array->name, what, words);
 }
 
-static uint64_t voxel_count(const qv_scalars *scalars)
+static void print_declarations(struct flash_array *array)
 {
-    return (uint64_t)scalars->size[0] * scalars->size[1] * scalars->size[2];
+    print(array, "\n/* For those who use it: */\nextern const qv_volume %s_volume;\n", array->name);
+    if (array->levels != NULL) {
+        print(array, "extern const qv_pyramid %s_pyramid;\n", array->name);
+    }
 }
 
 void flash_array_begin(struct flash_array *array, output *out, const struct model *model,
+                       const qv_volume *volume, const struct levels *levels,
                        const struct settings *settings)
 {
-    unsigned bytes = storage_voxel_bytes(model->storage);
-    unsigned word_bytes = model->storage == QV_STORAGE_RGBA16 ? 2 : 1;
+    bool indexed = storage_is_indexed(model->storage);
+    unsigned word_bytes = indexed ? 1 : storage_channel_bytes(model->storage);
     memset(array, 0, sizeof *array);
     array->out = out;
     array->model = model;
+    array->volume = volume;
+    array->levels = levels;
     array->header_file = has_ending(settings->output, ".h");
     if (settings->name != NULL) {
         snprintf(array->name, sizeof array->name, "%s", settings->name);
@@ -114,11 +150,9 @@ void flash_array_begin(struct flash_array *array, output *out, const struct mode
     print_comment(array);
     print(array, "#include \"qvol.h\"\n");
     if (!array->header_file) {
-        print(array, "\n/* For those who use it: */\nextern const qv_volume %s_volume;\n",
-              array->name);
+        print_declarations(array);
     }
-    start_array(array, "voxels", word_bytes,
-                voxel_count(&model->classifier.scalars) * bytes / word_bytes);
+    start_array(array, "voxels", word_bytes, volume->voxels_bytes / word_bytes);
 }
 
 /* Decimal is shorter than hexadecimal, and compilers read it as fast. */
@@ -146,58 +180,60 @@ void flash_array_voxels(struct flash_array *array, const void *voxels, size_t by
     }
 }
 
-static void print_palette(struct flash_array *array)
+/* A whole array of entries: the palette, or levels. */
+static void print_entries(struct flash_array *array, const char *what, const void *entries,
+                          uint64_t bytes)
 {
-    const struct model *model = array->model;
-    unsigned word_bytes = model->palette_bytes == QV_PALETTE16_BYTES ? 2 : 1;
-    start_array(array, "palette", word_bytes, model->palette_bytes / word_bytes);
-    flash_array_voxels(array, model->palette, model->palette_bytes);
+    unsigned word_bytes = storage_channel_bytes(array->model->storage);
+    start_array(array, what, word_bytes, bytes / word_bytes);
+    flash_array_voxels(array, entries, (size_t)bytes);
     print(array, "\n};\n");
 }
 
-static const char *storage_constant(qv_storage storage)
-{
-    switch (storage) {
-    case QV_STORAGE_RGBA8:
-        return "QV_STORAGE_RGBA8";
-    case QV_STORAGE_RGBA16:
-        return "QV_STORAGE_RGBA16";
-    case QV_STORAGE_INDEXED8:
-        return "QV_STORAGE_INDEXED8";
-    default:
-        return "QV_STORAGE_INDEXED8_16";
-    }
-}
-
 /* Positional, so that C++ takes it as well; the order is that of qv_volume. */
-static void print_descriptor(struct flash_array *array)
+static void print_volume(struct flash_array *array)
 {
-    const struct model *model = array->model;
-    const qv_scalars *scalars = &model->classifier.scalars;
-    unsigned bytes = storage_voxel_bytes(model->storage);
-    unsigned row = bytes * scalars->size[0];
+    const qv_volume *volume = array->volume;
     char palette[FLASH_NAME_BYTES + 32] = "0";
-    if (model->palette != NULL) {
+    if (volume->palette != NULL) {
         snprintf(palette, sizeof palette, "(qv_address)%s_palette", array->name);
     }
-    print(array, "\n%sconst qv_volume %s_volume = {\n", array->header_file ? "static " : "",
-          array->name);
+    print(array, "\n%sconst qv_volume %s_volume = {\n", linkage(array), array->name);
     print(array, "    (qv_address)%s_voxels,\n    %s,\n", array->name, palette);
     print(array, "    %" PRIu64 "u, /* bytes of voxels */\n    %" PRIu32 "u, /* of palette */\n",
-          voxel_count(scalars) * bytes, model->palette_bytes);
-    print(array, "    {%u, %u, %u}, /* size */\n    %s,\n", scalars->size[0], scalars->size[1],
-          scalars->size[2], storage_constant(model->storage));
+          volume->voxels_bytes, volume->palette_bytes);
+    print(array, "    {%u, %u, %u}, /* size */\n    %s,\n", volume->size[0], volume->size[1],
+          volume->size[2], storage_constant((qv_storage)volume->storage));
     print(array, "    {%" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u}, /* spacing, Q16.16 */\n",
-          scalars->spacing[0], scalars->spacing[1], scalars->spacing[2]);
-    print(array, "    0, /* unit distance: the step */\n    0, /* extinction */\n");
-    print(array, "    {%u, %u, %u}, /* strides */\n};\n", bytes, row, row * scalars->size[1]);
+          volume->spacing[0], volume->spacing[1], volume->spacing[2]);
+    print(array, "    %" PRIu32 "u, /* unit distance, Q16.16; 0: the step */\n",
+          volume->unit_distance);
+    print(array, "    %" PRIu32 "u, /* extinction of the full value, Q16.16 */\n",
+          volume->extinction);
+    print(array, "    {%" PRId32 ", %" PRId32 ", %" PRId32 "}, /* strides */\n};\n",
+          volume->stride[0], volume->stride[1], volume->stride[2]);
+}
+
+/* In the order of qv_pyramid. */
+static void print_pyramid(struct flash_array *array)
+{
+    const qv_pyramid *pyramid = &array->levels->pyramid;
+    print_entries(array, "levels", pyramid->voxels, pyramid->bytes);
+    print(array, "\n%sconst qv_pyramid %s_pyramid = {\n", linkage(array), array->name);
+    print(array,
+          "    (qv_address)%s_levels,\n    %" PRIu64 "u, /* bytes */\n    %u, /* levels */\n};\n",
+          array->name, pyramid->bytes, pyramid->levels);
 }
 
 void flash_array_end(struct flash_array *array)
 {
+    const struct model *model = array->model;
     print(array, "\n};\n");
-    if (array->model->palette != NULL) {
-        print_palette(array);
+    if (model->palette != NULL) {
+        print_entries(array, "palette", model->palette, model->palette_bytes);
     }
-    print_descriptor(array);
+    print_volume(array);
+    if (array->levels != NULL) {
+        print_pyramid(array);
+    }
 }

@@ -4,7 +4,7 @@
 #ifndef QVOL_HOST_FLASH_ARRAY_H
 #define QVOL_HOST_FLASH_ARRAY_H
 
-#include "model.h"
+#include "levels.h"
 #include "output.h"
 
 #define FLASH_NAME_BYTES 64
@@ -12,6 +12,8 @@
 struct flash_array {
     output *out;
     const struct model *model;
+    const qv_volume *volume;
+    const struct levels *levels; /* null: none */
     char name[FLASH_NAME_BYTES];
     bool header_file;    /* .h: static constants; .c: with external linkage */
     unsigned word_bytes; /* 1 or 2: so the array is aligned as the storage needs */
@@ -19,14 +21,15 @@ struct flash_array {
 };
 
 /* Comment, #include, start of the voxels. The name comes from the file's if
-   settings give none. */
+   settings give none. Levels may be null; all arguments stay in use. */
 void flash_array_begin(struct flash_array *array, output *out, const struct model *model,
+                       const qv_volume *volume, const struct levels *levels,
                        const struct settings *settings);
 
 /* Voxels in the machine's byte order, as they follow each other. */
 void flash_array_voxels(struct flash_array *array, const void *voxels, size_t bytes);
 
-/* Palette and descriptor. */
+/* Palette, levels and descriptors. */
 void flash_array_end(struct flash_array *array);
 
 #endif

@@ -167,12 +167,18 @@ static void read_by_content(struct scan *scan, const struct source *source)
     data_error(source->name, "format", "neither NIfTI nor NRRD; raw data need --dims and --type");
 }
 
-/* What raw data on a pipe may hold: no more is copied. */
+/* What raw data on a pipe may hold, coarser levels of the widest voxels included: no more
+   is copied. */
 static uint64_t most_bytes(const raw_options *raw)
 {
-    uint64_t voxels = (uint64_t)raw->size[0] * raw->size[1] * raw->size[2];
-    unsigned bytes = element_bytes((element)(raw->type & ~RAW_BIG_ENDIAN));
-    return raw->size[0] == 0 ? UINT64_MAX : raw->skip + voxels * bytes;
+    const uint16_t size[3] = {(uint16_t)raw->size[0], (uint16_t)raw->size[1],
+                              (uint16_t)raw->size[2]};
+    uint64_t voxels = (uint64_t)size[0] * size[1] * size[2];
+    element type = (element)(raw->type & ~RAW_BIG_ENDIAN);
+    uint64_t levels = element_is_classified(type)
+                          ? qv_pyramid_bytes(size, QV_STORAGE_RGBA16, qv_pyramid_levels(size))
+                          : 0;
+    return raw->skip + voxels * element_bytes(type) + levels;
 }
 
 /* Options, then the name, then the content say what the file is. */

@@ -196,3 +196,9 @@ void json_decimals(struct json *json, const char *key, const double *values, uns
     }
     put(json, "]");
 }
+
+void json_triple(struct json *json, const char *key, int64_t x, int64_t y, int64_t z)
+{
+    const int64_t values[3] = {x, y, z};
+    json_integers(json, key, values, 3);
+}

@@ -35,6 +35,7 @@ void json_boolean(struct json *json, const char *key, bool value);
 void json_null(struct json *json, const char *key);
 
 /* Arrays on one line. */
+void json_triple(struct json *json, const char *key, int64_t x, int64_t y, int64_t z);
 void json_integers(struct json *json, const char *key, const int64_t *values, unsigned count);
 void json_decimals(struct json *json, const char *key, const double *values, unsigned count);
 

@@ -20,21 +20,39 @@
 
 #define TRANSFER_DETAILS                                                                           \
     "A transfer function is text, `#` starts a comment; one control point a line:\n"               \
-    "    index red green blue opacity      0..255, 0..255 each, 0..1 for one sample step\n"        \
+    "    index red green blue opacity      0..255, 0..255 each, 0..1 for the unit distance\n"      \
     "    shading ambient diffuse specular exponent gradient     for --shade, optional\n"           \
-    "Opacities hold for one step: they are not corrected when --step changes.\n"
+    "Opacities hold for --unit-distance; without it for one step, whatever its length.\n"          \
+    "Lengths are in units of the smallest spacing.\n"                                              \
+    "Storage rgbt8, rgbt16, and indexed8 with --extinction hold extinction for opacity: depth "    \
+    "in\n"                                                                                         \
+    "base 2 per unit of length, in parts of the full value's. auto holds all of the transfer\n"    \
+    "function; what is more than E becomes E.\n"
+
+#define SAMPLING_DETAILS                                                                           \
+    "Sampling: nearest; separate (colour and opacity apart); weighted (by opacity, the "           \
+    "default);\n"                                                                                  \
+    "extinction (by extinction: no step changes a homogeneous medium; the default where voxels\n"  \
+    "hold it); bspline-weighted and bspline-extinction (the same two, of 27 voxels). Opacities\n"  \
+    "are corrected for the length of each sample but by nearest, separate, and weighted without\n" \
+    "--unit-distance.\n"
+
+#define LEVEL_DETAILS                                                                              \
+    "A level has half the voxels of the one before on each axis. Raw RGBA, RGBT and indexed8\n"    \
+    "data may be followed by their levels, as qvol pyramid writes them.\n"
 
 static const struct command commands[] = {
     {"qvol render", "IN -o OUT [options]", "Renders a volume to a picture or to a display's bytes.",
      INPUT_DETAILS
-     "\n" TRANSFER_DETAILS
+     "\n" TRANSFER_DETAILS "\n" SAMPLING_DETAILS "\n" LEVEL_DETAILS
+     "--level takes those, or makes them. auto: a pixel is as wide as a voxel of its level.\n"
      "\nOUT ends in .png or .pam (what the display would show; alpha is stored straight), or in\n"
      ".raw or .bin (the display's own bytes; colour is associated with alpha). - writes PAM.\n"
      "Formats: rgb888 (default), rgba8888 (default over a transparent background), bgra8888,\n"
      "rgb565le, rgb565be, l8, grey4, mono-horizontal, mono-vertical.\n"
      "At azimuth 0 and elevation 0 the viewer looks along +y, z is up: at the back of a head.\n",
      GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_PICTURE | GROUP_OUTPUT | GROUP_REPORT |
-         GROUP_THREADS | GROUP_COMMON,
+         GROUP_THREADS | GROUP_COMMON | GROUP_LEVELS,
      1, command_render},
     {"qvol info", "IN [options]", "Tells size, type, spacing, orientation, range and histogram.",
      INPUT_DETAILS, GROUP_INPUT | GROUP_REPORT | GROUP_COMMON, 1, command_info},
@@ -48,9 +66,19 @@ static const struct command commands[] = {
      "else it gets the voxels,\n"
      "x fastest, and OUT.palette the palette of indexed8. C arrays are in the compiler's own byte\n"
      "order and take no --endian. --azimuth, --elevation and --roll place the light of --shade.\n",
-     GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_EXPORT | GROUP_OUTPUT | GROUP_THREADS |
-         GROUP_COMMON,
+     GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_REDUCE | GROUP_EXPORT | GROUP_OUTPUT |
+         GROUP_REPORT | GROUP_THREADS | GROUP_COMMON,
      1, command_classify},
+    {"qvol pyramid", "IN -o OUT [options]", "Makes coarser levels of a volume, down to one voxel.",
+     INPUT_DETAILS
+     "\n" TRANSFER_DETAILS "\n" LEVEL_DETAILS
+     "\nOUT ends in .c or .h (constant arrays, a qv_volume and a qv_pyramid for flash), else it\n"
+     "gets the voxels and then the levels, each x fastest, and OUT.palette the palette of\n"
+     "indexed8, whose levels are RGBA or RGBT. The report tells size, spacing and offset of each,\n"
+     "and the options with which `qvol render` reads the file; with --level 2 it draws level 2.\n",
+     GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_LEVELS | GROUP_EXPORT | GROUP_OUTPUT |
+         GROUP_REPORT | GROUP_THREADS | GROUP_COMMON,
+     1, command_pyramid},
 };
 
 #define COMMANDS ((int)(sizeof commands / sizeof commands[0]))
@@ -74,7 +102,6 @@ static void print_overview(void)
 static void set_defaults(struct settings *settings)
 {
     memset(settings, 0, sizeof *settings);
-    settings->sampling = SAMPLING_WEIGHTED;
     settings->size[0] = settings->size[1] = 512;
     settings->light[0] = -40;
     settings->light[1] = 40;
@@ -92,7 +119,7 @@ static const struct command *find_command(const char *name)
             return &commands[i];
         }
     }
-    usage_error(name, "unknown command, use render, info, compare or classify");
+    usage_error(name, "unknown command, use render, info, compare, classify or pyramid");
 }
 
 int main(int argc, char **argv)
@@ -101,7 +128,7 @@ int main(int argc, char **argv)
     const struct command *command;
     claim_standard_streams();
     if (argc < 2) {
-        usage_error("command", "none given, use render, info, compare or classify");
+        usage_error("command", "none given, use render, info, compare, classify or pyramid");
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
         print_overview();

@@ -15,18 +15,9 @@
 #define Q30          1073741824.0
 #define RADIANS      (3.14159265358979323846 / 180)
 
-unsigned storage_voxel_bytes(qv_storage storage)
+uint32_t to_q16(double number)
 {
-    if (storage == QV_STORAGE_RGBA8) {
-        return 4;
-    }
-    return storage == QV_STORAGE_RGBA16 ? 8 : 1;
-}
-
-const char *storage_name(qv_storage storage)
-{
-    return choice_name(storage_names,
-                       storage == QV_STORAGE_INDEXED8_16 ? QV_STORAGE_INDEXED8 : (int)storage);
+    return (uint32_t)fmax(1, round(number * QV_ONE_Q16));
 }
 
 void check_status(qv_status status, const struct model *model, const char *field)
@@ -66,13 +57,16 @@ static void set_directions(qv_shading *shading, const struct settings *settings)
 /* Indexed voxels are looked up while they are sampled. */
 static void make_palette(struct model *model)
 {
-    if (model->storage == QV_STORAGE_INDEXED8) {
+    if (!storage_is_indexed(model->storage)) {
+        return;
+    }
+    if (storage_channel_bytes(model->storage) == 2) {
+        model->palette_bytes = QV_PALETTE16_BYTES;
+        model->palette = &model->table;
+    } else {
         model->palette_bytes = QV_PALETTE8_BYTES;
         model->palette = allocate(QV_PALETTE8_BYTES, model->scan.file, "palette");
         qv_transfer_to_palette8(model->palette, &model->table);
-    } else if (model->storage == QV_STORAGE_INDEXED8_16) {
-        model->palette_bytes = QV_PALETTE16_BYTES;
-        model->palette = &model->table;
     }
 }
 
@@ -95,8 +89,8 @@ static void read_scalars(struct model *model, const struct settings *settings,
     if (settings->palette != NULL) {
         usage_error("--palette", "only data of --type indexed8 take a palette");
     }
-    if (settings->shade && storage_voxel_bytes(model->storage) == 1) {
-        usage_error("--shade", "shaded colours need --storage rgba8 or rgba16");
+    if (settings->shade && storage_is_indexed(model->storage)) {
+        usage_error("--shade", "shaded colours need --storage rgba8 or rgba16, rgbt8 or rgbt16");
     }
     transfer_read(&model->transfer,
                   settings->transfer != NULL ? settings->transfer : DEFAULT_TRANSFER);
@@ -104,6 +98,7 @@ static void read_scalars(struct model *model, const struct settings *settings,
                  model, "transfer function");
     scalar_view_create(&model->view, &model->scan, settings);
     model->world_unit = model->view.world_unit;
+    memset(model->reduction, 1, sizeof model->reduction);
     model->shaded = settings->shade;
     model->shading = model->transfer.shading;
     set_directions(&model->shading, settings);
@@ -133,8 +128,9 @@ static void read_mask(struct model *model, const struct settings *settings)
     own.mask = NULL;
     own.mask_transfer = NULL;
     own.transfer = settings->mask_transfer;
-    if (storage_voxel_bytes(model->storage) == 1) {
-        usage_error("--mask", "two transfer functions need --storage rgba8 or rgba16");
+    if (storage_is_indexed(model->storage)) {
+        usage_error("--mask",
+                    "two transfer functions need --storage rgba8 or rgba16, rgbt8 or rgbt16");
     }
     model_read(mask, &own, settings->mask, model->storage);
     if (mask->classified_before || mask->view.converted) {
@@ -176,6 +172,14 @@ static void check_palette_size(const struct source *source)
     }
 }
 
+/* Of indexed8 data, whose levels are as wide as the palette. */
+static void swap_levels(struct scan *scan)
+{
+    if (scan->levels != NULL) {
+        swap_words(scan->levels, scan->level_bytes, 2);
+    }
+}
+
 static void read_palette(struct model *model, const struct settings *settings)
 {
     struct source source;
@@ -197,7 +201,54 @@ static void read_palette(struct model *model, const struct settings *settings)
         model->storage = QV_STORAGE_INDEXED8_16;
         if (settings->big_endian != machine_is_big_endian()) {
             swap_words(model->palette, model->palette_bytes, 2);
+            swap_levels(&model->scan);
         }
+    }
+    if (settings->extinction_given) {
+        model->storage = storage_with_extinction(model->storage);
+    }
+}
+
+static qv_storage storage_of_element(element type)
+{
+    switch (type) {
+    case ELEMENT_RGBA8:
+        return QV_STORAGE_RGBA8;
+    case ELEMENT_RGBA16:
+        return QV_STORAGE_RGBA16;
+    case ELEMENT_RGBT8:
+        return QV_STORAGE_RGBT8;
+    default:
+        return QV_STORAGE_RGBT16;
+    }
+}
+
+/* The data do not tell what their full value means. */
+static void read_extinction(struct model *model, const struct settings *settings)
+{
+    const char *type = choice_name(element_names, (int)model->scan.type);
+    if (!storage_holds_extinction(model->storage)) {
+        if (settings->extinction_given) {
+            usage_error("--extinction", "data of type %s hold opacity", type);
+        }
+        return;
+    }
+    if (!(settings->extinction > 0)) {
+        usage_error("--extinction", "data of type %s need the depth of their full value", type);
+    }
+    if (settings->unit_distance > 0) {
+        usage_error("--unit-distance", "the input holds extinction, which needs none");
+    }
+    model->extinction = to_q16(settings->extinction);
+}
+
+/* What follows the voxels was compared with the widths that indexed8 data may have. */
+static void check_levels(const struct model *model)
+{
+    if (model->scan.levels != NULL &&
+        scan_levels(&model->scan, storage_of_entries(model->storage)) == 0) {
+        data_error(model->scan.file, "levels", "%llu bytes are none of a palette of %u bytes",
+                   (unsigned long long)model->scan.level_bytes, model->palette_bytes);
     }
 }
 
@@ -209,14 +260,17 @@ static void read_classified(struct model *model, const struct settings *settings
     if (model->scan.type == ELEMENT_INDEXED8) {
         read_palette(model, settings);
     } else {
-        model->storage = model->scan.type == ELEMENT_RGBA8 ? QV_STORAGE_RGBA8 : QV_STORAGE_RGBA16;
+        model->storage = storage_of_element(model->scan.type);
     }
+    read_extinction(model, settings);
+    check_levels(model);
 }
 
 void model_read(struct model *model, const struct settings *settings, const char *name,
                 qv_storage default_storage)
 {
     memset(model, 0, sizeof *model);
+    model->unit_distance = settings->unit_distance > 0 ? to_q16(settings->unit_distance) : 0;
     input_read(&model->scan, name, &settings->raw);
     if (element_is_classified(model->scan.type)) {
         read_classified(model, settings);
@@ -238,5 +292,5 @@ void model_free(struct model *model)
         free(model->palette);
     }
     free(model->voxels);
-    free(model->scan.values);
+    scan_free(&model->scan);
 }

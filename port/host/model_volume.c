@@ -25,6 +25,9 @@ static void normalise_spacing(struct model *model, qv_scalars *scalars)
         spacing[a] = (uint32_t)lround(ratio * QV_ONE_Q16);
     }
     model->world_unit *= unit / QV_ONE_Q16;
+    if (model->unit_distance != 0) {
+        model->unit_distance = to_q16(model->unit_distance / unit);
+    }
 }
 
 void model_reduce(struct model *model, const uint8_t factor[3])
@@ -44,6 +47,7 @@ void model_reduce(struct model *model, const uint8_t factor[3])
     check_status(qv_reduce(values, (size_t)total, scalars, factor, 0, reduced.size[2]), model,
                  "reduction");
     normalise_spacing(model, &reduced);
+    memcpy(model->reduction, factor, sizeof model->reduction);
     free(model->scan.values);
     model->scan.values = values;
     reduced.values = values;
@@ -92,8 +96,9 @@ void model_classify(void *voxels, size_t bytes, const struct model *model, uint3
 {
     const qv_scalars *scalars = &model->classifier.scalars;
     qv_block block = {{0, 0, (uint16_t)first}, {scalars->size[0], scalars->size[1], (uint16_t)end}};
-    check_status(qv_classify(voxels, bytes, (uint8_t)model->storage, &model->classifier, &block),
-                 model, "classification");
+    uint8_t storage = (uint8_t)storage_with_opacity(model->storage);
+    check_status(qv_classify(voxels, bytes, storage, &model->classifier, &block), model,
+                 "classification");
     if (model->mask != NULL) {
         apply_mask(voxels, bytes, model->mask, first, end);
     }
@@ -113,24 +118,34 @@ static void classify_slice(void *context, uint32_t z)
                    z + 1);
 }
 
-/* Tightly packed, x fastest. */
 static void classify_volume(qv_volume *volume, struct model *model, const struct settings *settings)
 {
-    const qv_scalars *scalars = &model->classifier.scalars;
-    unsigned bytes = storage_voxel_bytes(model->storage);
-    struct slices slices = {model, NULL, (size_t)bytes * scalars->size[0] * scalars->size[1]};
-    struct parallel work = {classify_slice, &slices, scalars->size[2], settings->threads,
+    struct slices slices = {model, NULL, (size_t)volume->stride[2]};
+    struct parallel work = {classify_slice, &slices, volume->size[2], settings->threads,
                             progress_label(settings->quiet, "classifying")};
-    volume->voxels_bytes = (uint64_t)slices.slice_bytes * scalars->size[2];
     slices.voxels = allocate(volume->voxels_bytes, model->scan.file, "voxels");
     parallel_run(&work);
     model->voxels = slices.voxels;
     volume->voxels = slices.voxels;
+}
+
+/* Tightly packed, x fastest. */
+void model_describe(qv_volume *volume, const struct model *model)
+{
+    const qv_scalars *scalars = &model->classifier.scalars;
+    bool opacity = !storage_holds_extinction(model->storage);
+    memset(volume, 0, sizeof *volume);
+    volume->storage = (uint8_t)model->storage;
+    volume->palette = model->palette;
+    volume->palette_bytes = model->palette_bytes;
+    volume->unit_distance = opacity ? model->unit_distance : 0;
+    volume->extinction = model->extinction;
     memcpy(volume->size, scalars->size, sizeof volume->size);
     memcpy(volume->spacing, scalars->spacing, sizeof volume->spacing);
-    volume->stride[0] = (int32_t)bytes;
+    volume->stride[0] = (int32_t)storage_voxel_bytes(model->storage);
     volume->stride[1] = volume->stride[0] * scalars->size[0]; /* at most 2^15 */
     volume->stride[2] = volume->stride[1] * scalars->size[1]; /* at most 2^27 */
+    volume->voxels_bytes = (uint64_t)volume->stride[2] * scalars->size[2];
 }
 
 /* Voxels stay where the file was read to; strides turn them. */
@@ -148,10 +163,8 @@ static void take_volume(qv_volume *volume, struct model *model)
 
 void model_volume(qv_volume *volume, struct model *model, const struct settings *settings)
 {
-    memset(volume, 0, sizeof *volume);
-    volume->storage = (uint8_t)model->storage;
-    volume->palette = model->palette;
-    volume->palette_bytes = model->palette_bytes;
+    model_hold_extinction(model, settings);
+    model_describe(volume, model);
     if (model->classified_before) {
         take_volume(volume, model);
     } else {

@@ -28,6 +28,9 @@ const choice raw_type_names[] = {
     {"rgba8", ELEMENT_RGBA8},
     {"rgba16le", ELEMENT_RGBA16},
     {"rgba16be", ELEMENT_RGBA16 | RAW_BIG_ENDIAN},
+    {"rgbt8", ELEMENT_RGBT8},
+    {"rgbt16le", ELEMENT_RGBT16},
+    {"rgbt16be", ELEMENT_RGBT16 | RAW_BIG_ENDIAN},
     {"indexed8", ELEMENT_INDEXED8},
     {NULL, 0},
 };
@@ -79,37 +82,68 @@ bool raw_options_from_name(raw_options *options, const char *name)
     return true;
 }
 
-/* Its size was compared with the file's, so fewer bytes are a failing disk. */
+/* Bytes beyond the voxels: none, or those of coarser levels. Of indexed8 data the palette
+   decides later how wide these are. */
+static bool take_rest(struct scan *scan, uint64_t rest)
+{
+    bool wide = element_word_bytes(scan->type) == 2;
+    bool indexed = scan->type == ELEMENT_INDEXED8;
+    scan->level_bytes = rest;
+    return rest == 0 || (element_is_classified(scan->type) &&
+                         (((!wide || indexed) && scan_levels(scan, QV_STORAGE_RGBA8) > 0) ||
+                          ((wide || indexed) && scan_levels(scan, QV_STORAGE_RGBA16) > 0)));
+}
+
+/* In memory, so in size_t. The size was compared with the file's: fewer bytes are a failing
+   disk. */
+static void read_bytes(void *bytes, uint64_t count, FILE *file, const struct source *source)
+{
+    if (fread(bytes, (size_t)count, 1, file) != 1) {
+        data_error(source->name, "data", "cannot be read to the end");
+    }
+}
+
 static void read_values(struct scan *scan, const struct source *source, uint64_t skip)
 {
     FILE *file = fopen(source->path, "rb");
     if (file == NULL || fseeko(file, (off_t)skip, SEEK_SET) != 0) {
         system_error(source->name, NULL);
     }
-    if (fread(scan->values, (size_t)scan->bytes, 1, file) != 1) { /* in memory, so in size_t */
-        data_error(source->name, "data", "cannot be read to the end");
+    read_bytes(scan->values, scan->bytes, file, source);
+    if (scan->level_bytes > 0) {
+        scan->levels = allocate(scan->level_bytes, source->name, "levels");
+        read_bytes(scan->levels, scan->level_bytes, file, source);
     }
     fclose(file);
 }
 
+static void turn_words(struct scan *scan, bool big_endian)
+{
+    unsigned word_bytes = element_word_bytes(scan->type);
+    if (word_bytes == 1 || big_endian == machine_is_big_endian()) {
+        return;
+    }
+    swap_words(scan->values, scan->bytes, word_bytes);
+    if (scan->levels != NULL) {
+        swap_words(scan->levels, scan->level_bytes, word_bytes);
+    }
+}
+
 void read_raw(struct scan *scan, const struct source *source, const raw_options *options)
 {
-    uint64_t expected;
-    unsigned word_bytes;
+    uint64_t bytes, end;
     scan_clear(scan, source->name, "raw");
     scan->type = (element)(options->type & ~RAW_BIG_ENDIAN);
     memcpy(scan->size, options->size, sizeof scan->size);
-    expected = scan_data_bytes(scan);
-    if (!source_holds(source, options->skip + expected)) { /* below 2^62 + 2^39 */
+    bytes = scan_data_bytes(scan);
+    end = options->skip + bytes; /* below 2^62 + 2^39 */
+    if (source->more || source->bytes < end || !take_rest(scan, source->bytes - end)) {
         data_error(source->name, "size",
                    "%s%llu bytes, but --skip, --dims and --type make %llu + %llu",
                    source->more ? "more than " : "", (unsigned long long)source->bytes,
-                   (unsigned long long)options->skip, (unsigned long long)expected);
+                   (unsigned long long)options->skip, (unsigned long long)bytes);
     }
-    scan_allocate(scan, expected);
+    scan_allocate(scan, bytes);
     read_values(scan, source, options->skip);
-    word_bytes = element_word_bytes(scan->type);
-    if (word_bytes > 1 && ((options->type & RAW_BIG_ENDIAN) != 0) != machine_is_big_endian()) {
-        swap_words(scan->values, scan->bytes, word_bytes);
-    }
+    turn_words(scan, (options->type & RAW_BIG_ENDIAN) != 0);
 }

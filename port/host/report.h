@@ -6,14 +6,12 @@
 #define QVOL_HOST_REPORT_H
 
 #include "frame.h"
-#include "json.h"
+#include "report_model.h"
 #include "scene.h"
 
-/* The file: name, format, size, type, spacing, orientation. */
-void report_input(struct json *json, const struct scan *scan);
-
+/* Levels are reported where the scene has a pyramid. */
 void report_scene(output *out, const struct model *model, const qv_scene *scene,
-                  const struct view *view, const struct frame *frame,
+                  const struct levels *levels, const struct view *view, const struct frame *frame,
                   const struct settings *settings);
 
 #endif

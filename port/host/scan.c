@@ -5,6 +5,7 @@
 #include "error.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 const choice element_names[] = {
@@ -18,17 +19,20 @@ const choice element_names[] = {
     {"f64", ELEMENT_F64},
     {"rgba8", ELEMENT_RGBA8},
     {"rgba16", ELEMENT_RGBA16},
+    {"rgbt8", ELEMENT_RGBT8},
+    {"rgbt16", ELEMENT_RGBT16},
     {"indexed8", ELEMENT_INDEXED8},
     {NULL, 0},
 };
 
-/* RGBA16 is four words of two bytes. */
+/* RGBA16 and RGBT16 are four words of two bytes. */
 unsigned element_word_bytes(element type)
 {
     switch (type) {
     case ELEMENT_U16:
     case ELEMENT_S16:
     case ELEMENT_RGBA16:
+    case ELEMENT_RGBT16:
         return 2;
     case ELEMENT_U32:
     case ELEMENT_S32:
@@ -43,13 +47,19 @@ unsigned element_word_bytes(element type)
 
 unsigned element_bytes(element type)
 {
-    bool colour = type == ELEMENT_RGBA8 || type == ELEMENT_RGBA16;
+    bool colour = type >= ELEMENT_RGBA8 && type <= ELEMENT_RGBT16;
     return element_word_bytes(type) * (colour ? 4 : 1);
 }
 
 bool element_is_classified(element type)
 {
     return type >= ELEMENT_RGBA8;
+}
+
+void scan_free(struct scan *scan)
+{
+    free(scan->values);
+    free(scan->levels);
 }
 
 void scan_clear(struct scan *scan, const char *file, const char *format)
@@ -89,6 +99,17 @@ void scan_allocate(struct scan *scan, uint64_t available)
                    (unsigned long long)available, (unsigned long long)scan->bytes);
     }
     scan->values = allocate(scan->bytes, scan->file, "data");
+}
+
+uint8_t scan_levels(const struct scan *scan, qv_storage storage)
+{
+    const uint16_t size[3] = {(uint16_t)scan->size[0], (uint16_t)scan->size[1],
+                              (uint16_t)scan->size[2]};
+    uint8_t levels = qv_pyramid_levels(size);
+    while (levels > 0 && qv_pyramid_bytes(size, (uint8_t)storage, levels) != scan->level_bytes) {
+        levels--;
+    }
+    return levels;
 }
 
 void swap_words(void *values, uint64_t bytes, unsigned word_bytes)

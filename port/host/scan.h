@@ -21,6 +21,8 @@ typedef enum element {
     /* classified already */
     ELEMENT_RGBA8,
     ELEMENT_RGBA16,
+    ELEMENT_RGBT8, /* with extinction for opacity */
+    ELEMENT_RGBT16,
     ELEMENT_INDEXED8
 } element;
 
@@ -45,6 +47,8 @@ struct scan {
     const char *format;
     void *values;
     uint64_t bytes;
+    void *levels; /* coarser ones that follow classified voxels; else null */
+    uint64_t level_bytes;
     element type;
     uint32_t size[3];        /* as stored, x fastest */
     double spacing[3];       /* of the stored axes */
@@ -52,6 +56,9 @@ struct scan {
     bool oriented;           /* the file says where the axes lead */
     double slope, offset;    /* value = slope * stored + offset */
 };
+
+/* Frees values and levels. */
+void scan_free(struct scan *scan);
 
 /* A scan of that geometry without values: cubic voxels, axes as they come. */
 void scan_clear(struct scan *scan, const char *file, const char *format);
@@ -74,6 +81,10 @@ bool scan_orient(struct scan *scan, double direction[3][3]);
 
 /* Three letters, where the stored axes lead: "RAS", "LPI". */
 void scan_orientation_text(const struct scan *scan, char text[4]);
+
+/* The coarser levels that level_bytes hold, where their voxels are of that storage; 0 if
+   they hold none. */
+uint8_t scan_levels(const struct scan *scan, qv_storage storage);
 
 /* Exchanges the bytes of each word; for files of the other byte order. */
 void swap_words(void *values, uint64_t bytes, unsigned word_bytes);

@@ -6,21 +6,9 @@
 
 #include <math.h>
 
-#define STORAGES  4
 #define FULL_TURN 4294967296.0
-
-/* By order, mode and storage. */
-static const qv_sampling *const samplings[2][3][STORAGES] = {
-    {{&qv_nearest_rgba8, &qv_nearest_rgba16, &qv_nearest_indexed8, &qv_nearest_indexed8_16},
-     {&qv_separate_rgba8, &qv_separate_rgba16, &qv_separate_indexed8, &qv_separate_indexed8_16},
-     {&qv_weighted_rgba8, &qv_weighted_rgba16, &qv_weighted_indexed8, &qv_weighted_indexed8_16}},
-    {{&qv_nearest_rgba8_back_to_front, &qv_nearest_rgba16_back_to_front,
-      &qv_nearest_indexed8_back_to_front, &qv_nearest_indexed8_16_back_to_front},
-     {&qv_separate_rgba8_back_to_front, &qv_separate_rgba16_back_to_front,
-      &qv_separate_indexed8_back_to_front, &qv_separate_indexed8_16_back_to_front},
-     {&qv_weighted_rgba8_back_to_front, &qv_weighted_rgba16_back_to_front,
-      &qv_weighted_indexed8_back_to_front, &qv_weighted_indexed8_16_back_to_front}},
-};
+/* Of qv_scene.level. */
+#define LEVEL_ONE 256
 
 static double world_diagonal(const qv_volume *volume)
 {
@@ -64,15 +52,44 @@ static void set_camera(qv_scene *scene, const struct view *view)
     }
 }
 
+/* The library would refuse a level beyond the last as well, but not name the option. */
+static void set_level(qv_scene *scene, const struct view *view, const struct model *model,
+                      const struct settings *settings)
+{
+    double most = scene->pyramid->levels;
+    if (settings->level_auto) {
+        check_status(qv_detail(scene, &view->view), model, "levels");
+    } else if (settings->level > most) {
+        usage_error("--level", "%g is beyond the last level, %g", settings->level, most);
+    } else {
+        scene->level = (uint16_t)lround(settings->level * LEVEL_ONE);
+    }
+}
+
+/* Errors that an option leads to name it. */
+static void check_scene(const qv_scene *scene, const struct model *model)
+{
+    qv_context context;
+    qv_status status = qv_init(&context, scene);
+    if (status == QV_ERROR_CAMERA || status == QV_ERROR_STEP) {
+        usage_error("view", "%s; change --zoom, --size, --step or --perspective",
+                    qv_status_text(status));
+    }
+    if (status == QV_ERROR_UNIT ||
+        (status == QV_ERROR_EXTINCTION && !storage_holds_extinction(model->storage))) {
+        usage_error("--unit-distance", "%s", qv_status_text(status));
+    }
+    if (status == QV_ERROR_EXTINCTION) {
+        usage_error("--extinction", "%s", qv_status_text(status));
+    }
+    check_status(status, model, "scene");
+}
+
 void scene_create(qv_scene *scene, struct view *view, const struct model *model,
                   const struct settings *settings)
 {
-    qv_context context;
-    qv_status status;
     set_view(view, &scene->volume, settings);
     set_camera(scene, view);
-    scene->sampling =
-        samplings[settings->back_to_front][settings->sampling][model->storage - QV_STORAGE_RGBA8];
     scene->phase = (uint16_t)lround(fmin(settings->phase * 65536, 65535));
     scene->termination = settings->termination < 0
                              ? QV_TERMINATION_DEFAULT
@@ -80,10 +97,8 @@ void scene_create(qv_scene *scene, struct view *view, const struct model *model,
     for (unsigned c = 0; c < 4; c++) {
         scene->background[c] = settings->background[c];
     }
-    status = qv_init(&context, scene);
-    if (status == QV_ERROR_CAMERA || status == QV_ERROR_STEP) {
-        usage_error("view", "%s; change --zoom, --size, --step or --perspective",
-                    qv_status_text(status));
+    if (settings->level_given) {
+        set_level(scene, view, model, settings);
     }
-    check_status(status, model, "scene");
+    check_scene(scene, model);
 }

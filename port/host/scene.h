@@ -12,7 +12,7 @@ struct view {
     qv_angle field_of_view; /* 0: orthographic */
 };
 
-/* Fills everything of the scene but its volume, which is there already. */
+/* Fills a zeroed scene in which volume, pyramid and sampling are set. */
 void scene_create(qv_scene *scene, struct view *view, const struct model *model,
                   const struct settings *settings);
 

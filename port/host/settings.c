@@ -12,17 +12,40 @@
 /* A full turn many times over; beyond, degrees lose the digits that matter. */
 #define DEGREES_MOST 1e6
 
+/* What the library's 32 bits hold: Q16.16, and after a reduction by FACTOR_MOST too. */
+#define EXTINCTION_LEAST    (1.0 / QV_ONE_Q16)
+#define EXTINCTION_MOST     65535
+#define UNIT_DISTANCE_LEAST (1.0 / 256)
+#define UNIT_DISTANCE_MOST  4096
+
+/* Levels of the longest axis. */
+#define LEVEL_MOST 12
+
 const choice storage_names[] = {
-    {"rgba8", QV_STORAGE_RGBA8},
-    {"rgba16", QV_STORAGE_RGBA16},
-    {"indexed8", QV_STORAGE_INDEXED8},
-    {NULL, 0},
+    {"rgba8", QV_STORAGE_RGBA8}, {"rgba16", QV_STORAGE_RGBA16}, {"indexed8", QV_STORAGE_INDEXED8},
+    {"rgbt8", QV_STORAGE_RGBT8}, {"rgbt16", QV_STORAGE_RGBT16}, {NULL, 0},
 };
 
 const choice sampling_names[] = {
     {"nearest", SAMPLING_NEAREST},
     {"separate", SAMPLING_SEPARATE},
     {"weighted", SAMPLING_WEIGHTED},
+    {"extinction", SAMPLING_EXTINCTION},
+    {"bspline-weighted", SAMPLING_BSPLINE_WEIGHTED},
+    {"bspline-extinction", SAMPLING_BSPLINE_EXTINCTION},
+    {NULL, 0},
+};
+
+const choice filter_names[] = {
+    {"box2", FILTER_BOX2},
+    {"box4", FILTER_BOX4},
+    {"quad4", FILTER_QUAD4},
+    {NULL, 0},
+};
+
+const choice domain_names[] = {
+    {"extinction", DOMAIN_EXTINCTION},
+    {"opacity", DOMAIN_OPACITY},
     {NULL, 0},
 };
 
@@ -111,6 +134,21 @@ static void set_palette_bits(struct settings *settings, const char *option, cons
     }
 }
 
+static void set_extinction(struct settings *settings, const char *option, const char *value)
+{
+    settings->extinction_given = true;
+    settings->extinction = 0;
+    if (strcmp(value, "auto") != 0) {
+        settings->extinction = decimal_between(option, value, EXTINCTION_LEAST, EXTINCTION_MOST);
+    }
+}
+
+static void set_unit_distance(struct settings *settings, const char *option, const char *value)
+{
+    settings->unit_distance =
+        decimal_between(option, value, UNIT_DISTANCE_LEAST, UNIT_DISTANCE_MOST);
+}
+
 static void set_transfer(struct settings *settings, const char *option, const char *value)
 {
     keep_name(&settings->transfer, option, value);
@@ -159,6 +197,25 @@ static void set_sampling(struct settings *settings, const char *option, const ch
 static void set_order(struct settings *settings, const char *option, const char *value)
 {
     settings->back_to_front = choose(option, value, order_names) != 0;
+}
+
+static void set_level(struct settings *settings, const char *option, const char *value)
+{
+    settings->level_given = true;
+    settings->level_auto = strcmp(value, "auto") == 0;
+    if (!settings->level_auto) {
+        settings->level = decimal_between(option, value, 0, LEVEL_MOST);
+    }
+}
+
+static void set_filter(struct settings *settings, const char *option, const char *value)
+{
+    settings->filter = choose(option, value, filter_names);
+}
+
+static void set_domain(struct settings *settings, const char *option, const char *value)
+{
+    settings->domain = choose(option, value, domain_names);
 }
 
 static void set_size(struct settings *settings, const char *option, const char *value)
@@ -297,17 +354,21 @@ static void set_quiet(struct settings *settings, const char *option, const char 
 
 const struct option_spec option_specs[] = {
     {"dims", 0, "XxYxZ", "voxels of raw data, x fastest", set_dims, GROUP_INPUT},
-    {"type", 0, "TYPE", "u8 s8 u16le s16be f32le ... or rgba8 rgba16le rgba16be indexed8", set_type,
-     GROUP_INPUT},
+    {"type", 0, "TYPE", "u8 s8 u16le s16be f32le ... or rgba8 rgba16le rgbt8 rgbt16be indexed8",
+     set_type, GROUP_INPUT},
     {"skip", 0, "BYTES", "before raw data (0)", set_skip, GROUP_INPUT},
     {"spacing", 0, "XxYxZ", "between voxels; replaces the file's", set_spacing, GROUP_INPUT},
-    {"palette", 0, "FILE", "of indexed8 data: 1024 or 2048 bytes of RGBA", set_palette,
+    {"palette", 0, "FILE", "of indexed8 data: 1024 or 2048 bytes of RGBA or RGBT", set_palette,
      GROUP_INPUT},
     {"endian", 0, "little|big", "of a 16-bit palette, and of 16-bit raw output (little)",
      set_endian, GROUP_INPUT},
 
-    {"storage", 0, "KIND", "rgba8, rgba16 or indexed8", set_storage, GROUP_CLASSIFY},
+    {"storage", 0, "KIND", "rgba8, rgba16, indexed8, rgbt8 or rgbt16", set_storage, GROUP_CLASSIFY},
     {"palette-bits", 0, "8|16", "width of the palette of indexed8 (8)", set_palette_bits,
+     GROUP_CLASSIFY},
+    {"extinction", 0, "E|auto", "depth of the full value of rgbt8, rgbt16 or an indexed8 palette",
+     set_extinction, GROUP_CLASSIFY},
+    {"unit-distance", 0, "VOXELS", "length for which opacities hold (the step)", set_unit_distance,
      GROUP_CLASSIFY},
     {"tf", 0, "NAME|FILE", "transfer function: a preset or a text file", set_transfer,
      GROUP_CLASSIFY},
@@ -321,10 +382,16 @@ const struct option_spec option_specs[] = {
     {"light", 0, "RIGHT,UP", "degrees from the viewer to the light (-40,40)", set_light,
      GROUP_CLASSIFY},
 
-    {"sampling", 0, "MODE", "nearest, separate or weighted (weighted)", set_sampling,
+    {"sampling", 0, "MODE", "how samples are made, see below (weighted)", set_sampling,
      GROUP_PICTURE},
     {"order", 0, "ORDER", "front-to-back or back-to-front (front-to-back)", set_order,
      GROUP_PICTURE},
+    {"level", 0, "L|auto", "level of detail, 1.5 lies between two; 0 is the volume", set_level,
+     GROUP_PICTURE},
+    {"filter", 0, "FILTER", "of coarser levels: box2, box4 or quad4 (box4; B-splines: quad4)",
+     set_filter, GROUP_LEVELS},
+    {"domain", 0, "DOMAIN", "averaged for them: extinction or opacity (extinction)", set_domain,
+     GROUP_LEVELS},
     {"size", 's', "WxH", "of the frame in pixels (512x512)", set_size, GROUP_PICTURE},
     {"azimuth", 0, "DEG", "moves the viewer from -y towards +x (0)", set_azimuth, GROUP_VIEW},
     {"elevation", 0, "DEG", "lifts the viewer towards +z (0)", set_elevation, GROUP_VIEW},
@@ -342,9 +409,9 @@ const struct option_spec option_specs[] = {
      GROUP_PICTURE},
     {"strip", 0, "ROWS", "rendered at a time; changes no byte (16)", set_strip, GROUP_PICTURE},
 
-    {"reduce", 0, "F|FXxFYxFZ", "means over boxes of that many voxels", set_reduce, GROUP_EXPORT},
+    {"reduce", 0, "F|FXxFYxFZ", "means over boxes of that many voxels", set_reduce, GROUP_REDUCE},
     {"fit", 0, "BYTES", "smallest factors with which voxels and palette fit", set_fit,
-     GROUP_EXPORT},
+     GROUP_REDUCE},
     {"name", 0, "NAME", "of the C array (from FILE)", set_name, GROUP_EXPORT},
 
     {"tolerance", 0, "LEVELS", "differences that count as equal (0)", set_tolerance, GROUP_COMPARE},
@@ -356,47 +423,3 @@ const struct option_spec option_specs[] = {
     {"quiet", 'q', NULL, "no progress, no summary", set_quiet, GROUP_COMMON},
     {NULL, 0, NULL, NULL, NULL, 0},
 };
-
-bool settings_want_array(const struct settings *settings)
-{
-    const char *name = settings->output;
-    return name != NULL && (has_ending(name, ".c") || has_ending(name, ".h"));
-}
-
-void settings_check_needs(const struct settings *settings, int groups)
-{
-    bool exports = (groups & GROUP_EXPORT) != 0;
-    bool array = settings_want_array(settings);
-    const struct {
-        const char *option;
-        bool given, met;
-        const char *need;
-    } needs[] = {
-        {"--mask", settings->mask != NULL, settings->mask_transfer != NULL, "--mask-tf"},
-        {"--mask-tf", settings->mask_transfer != NULL, settings->mask != NULL, "--mask"},
-        {"--light", settings->light_given, settings->shade, "--shade"},
-        {"--termination", settings->termination >= 0, !settings->back_to_front,
-         "--order front-to-back: from the back no ray ends early"},
-        {"--gain", settings->gain_given, settings->output != NULL, "--output"},
-        {"--name", settings->name != NULL, array, "an output that ends in .c or .h"},
-        {"--endian", settings->endian_given && exports, !array,
-         "raw output: C arrays are in the compiler's byte order"},
-    };
-    for (unsigned i = 0; i < sizeof needs / sizeof needs[0]; i++) {
-        if (needs[i].given && !needs[i].met) {
-            usage_error(needs[i].option, "needs %s", needs[i].need);
-        }
-    }
-}
-
-qv_storage settings_storage(const struct settings *settings, qv_storage by_default)
-{
-    qv_storage storage = settings->storage != 0 ? (qv_storage)settings->storage : by_default;
-    if (storage == QV_STORAGE_INDEXED8) {
-        return settings->palette_bits == 16 ? QV_STORAGE_INDEXED8_16 : storage;
-    }
-    if (settings->palette_bits != 0) {
-        usage_error("--palette-bits", "only indexed8 has a palette");
-    }
-    return storage;
-}

@@ -10,7 +10,20 @@
 /* The library's largest factor of a reduction. */
 #define FACTOR_MOST 64
 
-enum sampling_mode { SAMPLING_NEAREST, SAMPLING_SEPARATE, SAMPLING_WEIGHTED };
+/* By storage: extinction where voxels hold it, else weighted. */
+enum sampling_mode {
+    SAMPLING_BY_STORAGE,
+    SAMPLING_NEAREST,
+    SAMPLING_SEPARATE,
+    SAMPLING_WEIGHTED,
+    SAMPLING_EXTINCTION,
+    SAMPLING_BSPLINE_WEIGHTED,
+    SAMPLING_BSPLINE_EXTINCTION,
+    SAMPLING_MODES
+};
+/* By sampling: what suits its reconstruction. */
+enum filter_kind { FILTER_BY_SAMPLING, FILTER_BOX2, FILTER_BOX4, FILTER_QUAD4 };
+enum domain_kind { DOMAIN_BY_DEFAULT, DOMAIN_EXTINCTION, DOMAIN_OPACITY };
 enum container { CONTAINER_BY_ENDING, CONTAINER_PNG, CONTAINER_PAM, CONTAINER_RAW };
 
 struct settings {
@@ -28,6 +41,9 @@ struct settings {
 
     int storage; /* a qv_storage without the palette's width; 0: by default */
     unsigned palette_bits;
+    bool extinction_given;
+    double extinction;         /* depth of the full value per world unit; 0: as voxels need it */
+    double unit_distance;      /* world units for which opacities hold; 0: the step */
     const char *transfer;      /* null: the default */
     const char *mask;          /* a second scan; null: none */
     const char *mask_transfer; /* its transfer function */
@@ -39,6 +55,11 @@ struct settings {
 
     int sampling; /* enum sampling_mode */
     bool back_to_front;
+    bool level_given;
+    bool level_auto;
+    double level;
+    int filter; /* enum filter_kind */
+    int domain; /* enum domain_kind */
     uint32_t size[2];
     double angles[3]; /* degrees: azimuth, elevation, roll */
     double zoom;
@@ -70,7 +91,9 @@ enum option_group {
     GROUP_REPORT = 64,
     GROUP_THREADS = 128,
     GROUP_OUTPUT = 256,
-    GROUP_COMMON = 512
+    GROUP_COMMON = 512,
+    GROUP_REDUCE = 1024,
+    GROUP_LEVELS = 2048
 };
 
 struct option_spec {
@@ -88,6 +111,8 @@ extern const struct option_spec option_specs[];
 /* Names of the values, for reports as well. */
 extern const choice storage_names[];
 extern const choice sampling_names[];
+extern const choice filter_names[];
+extern const choice domain_names[];
 
 /* Refuses options that would change nothing without another; `groups` are those of
    the command. */
@@ -96,7 +121,7 @@ void settings_check_needs(const struct settings *settings, int groups);
 /* True if the output is C source: its name ends in .c or .h. */
 bool settings_want_array(const struct settings *settings);
 
-/* The storage that --storage and --palette-bits ask for together. */
+/* The storage that --storage, --palette-bits and --extinction ask for together. */
 qv_storage settings_storage(const struct settings *settings, qv_storage by_default);
 
 #endif

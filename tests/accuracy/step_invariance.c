@@ -1,6 +1,7 @@
 /*
- * A homogeneous slab is the same pixel whatever the step, the phase and the spacing of
- * its voxels: every mode that weighs by length, along the slab and across it.
+ * A homogeneous slab is the same pixel whatever the step, the phase, the spacing of its
+ * voxels and the level of its pyramid: every mode that weighs by length, along the slab
+ * and across it.
  */
 #include "check.h"
 #include "fine.h"
@@ -46,21 +47,30 @@ static const slab_kind kinds[] = {
 #define MEMORY (8u * (2 * CUBE_EDGE) * (2 * CUBE_EDGE) * (2 * CUBE_EDGE))
 
 typedef struct slab {
-    unsigned char *voxels;
+    unsigned char *voxels, *coarser; /* the latter null where no levels are wanted */
     qv_volume volume;
+    qv_pyramid pyramid;
 } slab;
+
+static void repeat(unsigned char *to, uint64_t size, const unsigned char *entry, size_t bytes)
+{
+    for (uint64_t at = 0; at < size; at += bytes) {
+        memcpy(to + at, entry, bytes);
+    }
+}
 
 static void fill(slab *made, uint16_t fourth)
 {
-    const uint32_t bytes = ref_is_wide(made->volume.storage) ? 8 : 4;
+    const size_t bytes = ref_is_wide(made->volume.storage) ? 8 : 4;
     const uint16_t wide[4] = {colour[0], colour[1], colour[2], fourth};
     unsigned char entry[8];
     memcpy(entry, wide, sizeof entry);
     for (int channel = 0; channel < 4 && bytes == 4; channel++) {
         entry[channel] = (unsigned char)((wide[channel] + 128u) / 257u);
     }
-    for (size_t at = 0; at < made->volume.voxels_bytes; at += bytes) {
-        memcpy(made->voxels + at, entry, bytes);
+    repeat(made->voxels, made->volume.voxels_bytes, entry, bytes);
+    if (made->coarser != NULL) {
+        repeat(made->coarser, made->pyramid.bytes, entry, bytes);
     }
 }
 
@@ -83,6 +93,9 @@ static bool make_slab(slab *made, const slab_kind *kind, uint8_t storage, double
     made->volume.voxels = made->voxels;
     made->volume.voxels_bytes = (uint64_t)stride;
     made->volume.unit_distance = QV_ONE_Q16;
+    made->pyramid.voxels = made->coarser;
+    made->pyramid.levels = qv_pyramid_levels(made->volume.size);
+    made->pyramid.bytes = qv_pyramid_bytes(made->volume.size, storage, made->pyramid.levels);
     return true;
 }
 
@@ -128,15 +141,27 @@ static double way(const slab_kind *kind)
     return shortest;
 }
 
+/* The volume, or all levels of the pyramid, and between them. */
+static void render_levels(extremes *into, const slab *made, qv_scene *scene, double exact)
+{
+    const uint32_t most = made->coarser != NULL ? made->pyramid.levels * 256u : 0;
+    fine_pixel pixel;
+    for (uint32_t level = 0; level <= most; level += 128) {
+        scene->level = (uint16_t)level;
+        assert_int_equal(render_fine(&pixel, scene), QV_OK);
+        take(into, &pixel, exact);
+    }
+}
+
 static void render_steps(extremes *into, const slab *made, const slab_kind *kind,
                          const qv_sampling *sampling, double exact)
 {
     qv_scene scene;
     qv_view view;
-    fine_pixel pixel;
     memset(&scene, 0, sizeof scene);
     scene.volume = made->volume;
     scene.sampling = sampling;
+    scene.pyramid = made->coarser != NULL ? &made->pyramid : NULL;
     memset(&view, 0, sizeof view);
     qv_rotation(view.rotation, kind->azimuth, kind->elevation, 0);
     view.pitch = QV_ONE_Q16;
@@ -146,8 +171,7 @@ static void render_steps(extremes *into, const slab *made, const slab_kind *kind
         view.step = (uint32_t)(steps[i % COUNT(steps)] * QV_ONE_Q16);
         scene.phase = phases[i / COUNT(steps)];
         assert_int_equal(qv_orthographic(&scene.camera, &scene.volume, &view), QV_OK);
-        assert_int_equal(render_fine(&pixel, &scene), QV_OK);
-        take(into, &pixel, exact);
+        render_levels(into, made, &scene, exact);
     }
 }
 
@@ -172,12 +196,14 @@ static double run_medium(double *off, const slab_kind *kind, slab *made, uint16_
 
 /* ---- Modes ----------------------------------------------------------------------- */
 
-static void test_sampling(const char *name, const qv_sampling *sampling)
+typedef enum levels_kind { VOLUME, PYRAMID } levels_kind;
+
+static void test_sampling(const char *name, const qv_sampling *sampling, levels_kind levels)
 {
     const bool wide = ref_is_wide(sampling->storage);
     double worst = 0, off = 0;
-    slab made = {.voxels = malloc(MEMORY)};
-    assert_true(made.voxels != NULL);
+    slab made = {.voxels = malloc(MEMORY), .coarser = levels == PYRAMID ? malloc(MEMORY) : NULL};
+    assert_true(made.voxels != NULL && (levels == VOLUME || made.coarser != NULL));
     for (size_t kind = 0; kind < COUNT(kinds); kind++) {
         for (size_t i = 0; i < COUNT(fourths); i++) {
             const double found = run_medium(&off, &kinds[kind], &made, fourths[i], sampling);
@@ -189,31 +215,38 @@ static void test_sampling(const char *name, const qv_sampling *sampling)
         }
     }
     free(made.voxels);
+    free(made.coarser);
     printf("# %s: at most %.2f of %s apart, opacity %.2f of 65535 off\n", name, worst,
            wide ? "65535" : "255", off * 65535);
     assert_true(worst <= (wide ? 8 : 1));
 }
 
-#define TEST(name)                                                                                 \
+#define TEST(name, levels)                                                                         \
     static void test_##name(void **state)                                                          \
     {                                                                                              \
         (void)state;                                                                               \
-        test_sampling(#name, &qv_##name);                                                          \
+        test_sampling(#name, &qv_##name, levels);                                                  \
     }
 
-TEST(corrected_rgba16)
-TEST(corrected_rgba16_back_to_front)
-TEST(corrected_rgba8)
-TEST(extinction_rgba16)
-TEST(extinction_rgbt16)
-TEST(extinction_rgbt16_back_to_front)
-TEST(extinction_rgba8)
-TEST(extinction_rgbt8)
-TEST(bspline_weighted_rgba16)
-TEST(bspline_weighted_rgba8)
-TEST(bspline_extinction_rgba16)
-TEST(bspline_extinction_rgbt16)
-TEST(bspline_extinction_rgbt8)
+TEST(corrected_rgba16, VOLUME)
+TEST(corrected_rgba16_back_to_front, VOLUME)
+TEST(corrected_rgba8, VOLUME)
+TEST(extinction_rgba16, VOLUME)
+TEST(extinction_rgbt16, VOLUME)
+TEST(extinction_rgbt16_back_to_front, VOLUME)
+TEST(extinction_rgba8, VOLUME)
+TEST(extinction_rgbt8, VOLUME)
+TEST(bspline_weighted_rgba16, VOLUME)
+TEST(bspline_weighted_rgba8, VOLUME)
+TEST(bspline_extinction_rgba16, VOLUME)
+TEST(bspline_extinction_rgbt16, VOLUME)
+TEST(bspline_extinction_rgbt8, VOLUME)
+TEST(corrected_rgba16_levels, PYRAMID)
+TEST(extinction_rgba16_levels, PYRAMID)
+TEST(extinction_rgbt16_levels, PYRAMID)
+TEST(extinction_rgbt8_levels, PYRAMID)
+TEST(bspline_weighted_rgba8_levels, PYRAMID)
+TEST(bspline_extinction_rgbt16_levels, PYRAMID)
 
 int main(void)
 {
@@ -231,6 +264,12 @@ int main(void)
         cmocka_unit_test(test_bspline_extinction_rgba16),
         cmocka_unit_test(test_bspline_extinction_rgbt16),
         cmocka_unit_test(test_bspline_extinction_rgbt8),
+        cmocka_unit_test(test_corrected_rgba16_levels),
+        cmocka_unit_test(test_extinction_rgba16_levels),
+        cmocka_unit_test(test_extinction_rgbt16_levels),
+        cmocka_unit_test(test_extinction_rgbt8_levels),
+        cmocka_unit_test(test_bspline_weighted_rgba8_levels),
+        cmocka_unit_test(test_bspline_extinction_rgbt16_levels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

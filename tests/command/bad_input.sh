@@ -114,6 +114,15 @@ write("in_12x10x8_uint8.raw", data)
 write("short.raw", data[:-1])
 write("long.raw", data + b"\0")
 write("empty.raw")
+# 12x10x8 of 4 bytes, and its levels 6x5x4, 3x3x2, 2x2x1, 1x1x1.
+LEVELS = (120, 18, 4, 1)
+write("levels.rgba8", bytes(4 * (960 + sum(LEVELS))))
+write("levels.cut", bytes(4 * (960 + sum(LEVELS)) - 1))
+write("levels.long", bytes(4 * (960 + sum(LEVELS)) + 1))
+write("levels.between", bytes(4 * (960 + sum(LEVELS[:2]) + 1)))
+write("levels.wide", bytes(4 * 960 + 8 * sum(LEVELS)))
+write("levels.indexed8", bytes(960 + 4 * sum(LEVELS)))
+write("levels.palette16", bytes(2048))
 END
 check "files are made" "$PYTHON" make.py
 cat >untouched.pam <<'END'
@@ -185,11 +194,37 @@ piped "palette, pipe too long" "standard input: palette: more than 2048 bytes" \
     render in_12x10x8_uint8.raw --type indexed8 --palette - -o out.pam
 raw "indexed without a palette" "need one" 2 in_12x10x8_uint8.raw --type indexed8
 printf '%1023s' x >p1023
+printf '%1024s' x >p1024
 printf '%2049s' x >p2049
 raw "palette a byte short" "palette: 1023 bytes" 1 in_12x10x8_uint8.raw --type indexed8 --palette p1023
 raw "palette a byte long" "palette: 2049 bytes" 1 in_12x10x8_uint8.raw --type indexed8 --palette p2049
 raw "palette missing" "No such file" 1 in_12x10x8_uint8.raw --type indexed8 --palette nowhere
 raw "classified data with --tf" "classified already" 2 in_12x10x8_uint8.raw --dims 6x10x4 --type rgba8 --tf fog
+levelled() { # levelled NAME PATTERN FILE TYPE: whole files of voxels and levels, or none
+    for command in info "render -o out.pam --level 1"; do
+        # shellcheck disable=SC2086
+        refuses "$1: $command" 1 "$3: $2" "$QVOL" $command "$3" --dims 12x10x8 --type "$4"
+    done
+}
+check "levels as they should be" "$QVOL" info levels.rgba8 --dims 12x10x8 --type rgba8
+levelled "a level cut" "size: 4411 bytes, but .* make 0 + 3840" levels.cut rgba8
+levelled "a byte after the levels" "size: 4413 bytes" levels.long rgba8
+levelled "half a level" "size: 4396 bytes" levels.between rgba8
+levelled "levels of wider voxels" "size: 4984 bytes" levels.wide rgba8
+levelled "levels of data that are not classified" "size: 1532 bytes" levels.indexed8 u8
+raw "levels of another palette" "levels.indexed8: levels: 572 bytes are none of a palette of 2048" 1 \
+    levels.indexed8 --dims 12x10x8 --type indexed8 --palette levels.palette16
+piped "levels, pipe too long" "standard input: size: more than 8824 bytes" \
+    info - --dims 12x10x8 --type rgba16le
+raw "extinction of no depth" "--extinction: data of type rgbt8 need the depth" 2 levels.rgba8 --dims 12x10x8 --type rgbt8
+raw "extinction of depth auto" "--extinction: data of type rgbt8 need the depth" 2 levels.rgba8 --dims 12x10x8 \
+    --type rgbt8 --extinction auto
+raw "extinction of opacity" "--extinction: data of type rgba8 hold opacity" 2 levels.rgba8 --dims 12x10x8 \
+    --type rgba8 --extinction 5
+raw "a unit distance of extinction" "--unit-distance: the input holds extinction" 2 levels.rgba8 --dims 12x10x8 \
+    --type rgbt8 --extinction 5 --unit-distance 1
+raw "an indexed palette of extinction auto" "need the depth" 2 levels.indexed8 --dims 12x10x8 --type indexed8 \
+    --palette p1024 --extinction auto
 raw "no file" "No such file" 1 nowhere.nii
 raw "a folder" "neither a file nor a pipe" 1 .
 raw "a device" "neither a file nor a pipe" 1 /dev/zero --dims 12x10x8 --type u8

@@ -89,6 +89,8 @@ int main(void)
     fwrite(v->voxels, 1, (size_t)v->voxels_bytes, stdout);
     if (v->palette_bytes > 0)
         fwrite(v->palette, 1, v->palette_bytes, stdout);
+    if ((v->storage >= QV_STORAGE_RGBT8) != (v->extinction != 0))
+        return 2;
     fprintf(stderr, "%u %u %u %u %u %u\n", v->size[0], v->size[1], v->size[2], (unsigned)v->spacing[0],
             (unsigned)v->spacing[1], (unsigned)v->spacing[2]);
     return 0;
@@ -128,6 +130,11 @@ array indexed8 h
 array "indexed8, 16-bit palette" h --palette-bits 16
 array rgba8 c --storage rgba8 --tf surface
 array "rgba16, shaded" h --storage rgba16 --tf surface --shade
+array rgbt8 c --storage rgbt8 --tf surface
+array rgbt16 h --storage rgbt16 --tf surface
+array "indexed8, extinction" c --extinction auto
+array "indexed8, extinction of 16 bits" h --palette-bits 16 --extinction 30
+check "the extinction is in the descriptor" grep -q "^ *1966080u, /\* extinction" array.h
 "$QVOL" classify $IN -o "9 odd-name.c"
 check "a name is made from any file's" grep -q "const qv_volume v9_odd_name_volume = {" "9 odd-name.c"
 reserved() { # reserved FILE NAME: the names in the C array begin with NAME, a letter

@@ -5,7 +5,7 @@ cd "$work" || exit 1
 "$PYTHON" "$TESTS/volumes.py" in_12x10x8_uint8.raw
 IN=in_12x10x8_uint8.raw
 
-for command in "" render info compare classify; do
+for command in "" render info compare classify pyramid; do
     # shellcheck disable=SC2086
     check "--help $command" sh -c "\"$QVOL\" $command --help | grep -q '^Usage: qvol'"
     # shellcheck disable=SC2086
@@ -18,7 +18,7 @@ sed -n 's/^ *{"\([a-z-]*\)", [^,]*, \("[^"]*"\|NULL\), "..*/\1/p' "$TESTS/../../
 check "options are found in the source" test "$(wc -l <options)" -gt 25
 missing=
 while read -r option; do
-    { "$QVOL" render --help; "$QVOL" classify --help; "$QVOL" compare --help; } |
+    { "$QVOL" render --help; "$QVOL" classify --help; "$QVOL" compare --help; "$QVOL" pyramid --help; } |
         grep -q -e "--$option" || missing="$missing $option"
 done <options
 check "every option is in the help:$missing" test -z "$missing"
@@ -47,10 +47,27 @@ refuses "report and picture in one file" 2 "cannot both" "$QVOL" render $IN -o -
 refused() { # refused OPTION VALUE PATTERN
     refuses "$1 $2" 2 "$3" "$QVOL" render $IN -o a.pam "$1" "$2"
 }
-refused --storage rgba9 "rgba8, rgba16, indexed8"
+refused --storage rgba9 "rgba8, rgba16, indexed8, rgbt8, rgbt16"
+refused --extinction 0 "not a number from 1.5.*e-05 to 65535"
+refused --extinction -1 "not a number from"
+refused --extinction 65536 "not a number from"
+refused --extinction much "not a number from"
+refused --extinction 5 ": --extinction: needs --storage rgbt8, rgbt16 or indexed8"
+refused --extinction auto ": --extinction: needs --storage rgbt8"
+refused --unit-distance 0 "not a number from 0.00390625 to 4096"
+refused --unit-distance -1 "not a number from"
+refused --unit-distance 4097 "not a number from"
+refused --unit-distance auto "not a number from"
+refused --level -1 "not a number from 0 to 12"
+refused --level 13 "not a number from 0 to 12"
+refused --level deep "not a number from 0 to 12"
+refused --filter box3 "box2, box4, quad4"
+refused --domain colour "extinction, opacity"
+refused --filter box2 ": --filter: needs --level"
+refused --domain opacity ": --domain: needs --level"
 refused --palette-bits 12 "neither 8 nor 16"
 refused --palette-bits 16 "only indexed8"
-refused --sampling linear "nearest, separate, weighted"
+refused --sampling linear "nearest, separate, weighted, extinction, bspline-weighted, bspline-extinction"
 refused --order sideways "front-to-back"
 refused --tf nosuch "neither a preset nor a file"
 refused --window 5 "LOW:HIGH"
@@ -110,6 +127,23 @@ needs() { # needs OPTION PATTERN COMMAND ARGUMENT...: one that would change noth
 }
 needs --light --shade classify $IN -o a.raw --light 10,20
 needs --termination "--order front" render $IN -o a.pam --termination 0 --order back-to-front
+for mode in nearest separate; do
+    needs --unit-distance "another --sampling" render $IN -o a.pam --sampling $mode --unit-distance 2
+    needs --level "another --sampling" render $IN -o a.pam --sampling $mode --level 1
+done
+needs --level "--order front-to-back" render $IN -o a.pam --level 1 --order back-to-front
+needs --unit-distance "--storage rgbt8 or rgbt16" classify $IN -o a.raw --unit-distance 2
+needs --unit-distance "--storage rgbt8 or rgbt16" pyramid $IN -o a.raw --unit-distance 2 --storage rgba8
+for mode in nearest separate weighted bspline-weighted; do
+    refuses "--sampling $mode of extinction" 2 ": --sampling: $mode takes opacities" "$QVOL" render $IN \
+        -o a.pam --storage rgbt8 --sampling $mode
+done
+refuses "a unit distance of too many steps" 2 ": --unit-distance: unit distance" "$QVOL" render $IN -o a.pam \
+    --unit-distance 4096 --step 0.5
+refuses "an extinction that is too much for a step" 2 ": --extinction: extinction" "$QVOL" render $IN -o a.pam \
+    --extinction 65535 --storage rgbt16 --level 4 --step 16
+refuses "an option of another command: --level" 2 "unknown" "$QVOL" classify $IN -o a.raw --level 1
+refuses "an option of another command: --reduce" 2 "unknown" "$QVOL" pyramid $IN -o a.raw --reduce 2
 needs --gain --output compare a b --gain 2
 needs --name "an output" classify $IN -o a.raw --name head
 needs --name "an output" classify $IN -o - --name head

@@ -1,0 +1,82 @@
+/*
+ * settings_check.c - options that make sense only together.
+ */
+#include "settings.h"
+#include "error.h"
+#include "picture.h"
+#include "voxel_storage.h"
+
+bool settings_want_array(const struct settings *settings)
+{
+    const char *name = settings->output;
+    return name != NULL && (has_ending(name, ".c") || has_ending(name, ".h"));
+}
+
+/* A file of voxels that hold opacity has no place for the length it holds for. */
+static bool export_keeps_unit(const struct settings *settings)
+{
+    return settings_want_array(settings) || settings->json != NULL || settings->extinction_given ||
+           settings->storage == QV_STORAGE_RGBT8 || settings->storage == QV_STORAGE_RGBT16;
+}
+
+/* nearest and separate know no lengths. */
+static bool sampling_may_weigh(const struct settings *settings)
+{
+    return settings->sampling != SAMPLING_NEAREST && settings->sampling != SAMPLING_SEPARATE;
+}
+
+void settings_check_needs(const struct settings *settings, int groups)
+{
+    bool exports = (groups & GROUP_EXPORT) != 0;
+    bool array = settings_want_array(settings);
+    bool unit = settings->unit_distance > 0;
+    const struct {
+        const char *option;
+        bool given, met;
+        const char *need;
+    } needs[] = {
+        {"--mask", settings->mask != NULL, settings->mask_transfer != NULL, "--mask-tf"},
+        {"--mask-tf", settings->mask_transfer != NULL, settings->mask != NULL, "--mask"},
+        {"--light", settings->light_given, settings->shade, "--shade"},
+        {"--termination", settings->termination >= 0, !settings->back_to_front,
+         "--order front-to-back: from the back no ray ends early"},
+        {"--unit-distance", unit && exports, export_keeps_unit(settings),
+         "--storage rgbt8 or rgbt16, --extinction, --json or an output that ends in .c or .h"},
+        {"--unit-distance", unit, sampling_may_weigh(settings),
+         "another --sampling: nearest and separate take opacities as they are"},
+        {"--level", settings->level_given, sampling_may_weigh(settings),
+         "another --sampling: nearest and separate have no levels"},
+        {"--level", settings->level_given, !settings->back_to_front, "--order front-to-back"},
+        {"--filter", settings->filter != FILTER_BY_SAMPLING, exports || settings->level_given,
+         "--level"},
+        {"--domain", settings->domain != DOMAIN_BY_DEFAULT, exports || settings->level_given,
+         "--level"},
+        {"--gain", settings->gain_given, settings->output != NULL, "--output"},
+        {"--name", settings->name != NULL, array, "an output that ends in .c or .h"},
+        {"--endian", settings->endian_given && exports, !array,
+         "raw output: C arrays are in the compiler's byte order"},
+    };
+    for (unsigned i = 0; i < sizeof needs / sizeof needs[0]; i++) {
+        if (needs[i].given && !needs[i].met) {
+            usage_error(needs[i].option, "needs %s", needs[i].need);
+        }
+    }
+}
+
+qv_storage settings_storage(const struct settings *settings, qv_storage by_default)
+{
+    qv_storage storage = settings->storage != 0 ? (qv_storage)settings->storage : by_default;
+    if (settings->palette_bits != 0 && !storage_is_indexed(storage)) {
+        usage_error("--palette-bits", "only indexed8 has a palette");
+    }
+    if (settings->palette_bits == 16) {
+        storage = QV_STORAGE_INDEXED8_16;
+    }
+    if (settings->extinction_given && storage_is_indexed(storage)) {
+        storage = storage_with_extinction(storage);
+    }
+    if (settings->extinction_given && !storage_holds_extinction(storage)) {
+        usage_error("--extinction", "needs --storage rgbt8, rgbt16 or indexed8");
+    }
+    return storage;
+}
