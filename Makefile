@@ -1,6 +1,6 @@
 # qvol: an integer-only volume renderer. `make help` lists the targets.
 #
-# Variables: TARGET=host|cortex-m0|cortex-m3, CC, CFLAGS, OPTIMISE=-O2,
+# Variables: TARGET=host|cortex-m0|cortex-m3|avr, CC, CFLAGS, OPTIMISE=-O2,
 # PREFIX=/usr/local, WITHOUT="png nifti nrrd cmocka" (leave out what is installed).
 
 .DEFAULT_GOAL := all
@@ -9,7 +9,7 @@ MAKEFLAGS += --no-builtin-rules
 
 BUILD := build
 TARGET ?= host
-DEVICES := cortex-m0 cortex-m3
+DEVICES := cortex-m0 cortex-m3 avr
 OUT := $(BUILD)/$(TARGET)
 PREFIX ?= /usr/local
 LIBRARY := $(OUT)/libqvol.a
@@ -26,6 +26,9 @@ TARGET_AR := $(AR)
 TARGET_CFLAGS = $(OPTIMISE) -ffunction-sections -fdata-sections $(CFLAGS)
 else ifneq ($(filter $(TARGET),$(DEVICES)),)
 include toolchain/$(TARGET).mk
+ifeq ($(shell command -v $(TARGET_CC)),)
+$(error $(TARGET) needs $(TARGET_CC); Debian's packages: $(TARGET_PACKAGES))
+endif
 else
 $(error no target $(TARGET); there are: host $(DEVICES))
 endif

@@ -44,7 +44,7 @@ static fx_unorm16 opacity_of_extinction(fx_unorm16 extinction, uint64_t full_dep
 
 static uint64_t ratio_of(uint32_t a, uint32_t b)
 {
-    unsigned cut = b >> 31;
+    unsigned cut = (unsigned)(b >> 31);
     uint64_t ratio = fx_divide((uint64_t)a << (32u - cut), b >> cut);
     return ratio < RATIO_MOST ? ratio : RATIO_MOST;
 }

@@ -10,7 +10,7 @@ qv_status qv_scalars_check(const qv_scalars *scalars)
         return QV_ERROR_NULL;
     if (bytes == 0)
         return QV_ERROR_STORAGE;
-    if (!qv_aligned(scalars->values, bytes))
+    if (!qv_aligned(scalars->values, (unsigned)bytes))
         return QV_ERROR_STRIDE;
     return qv_layout_check(scalars->size, scalars->stride, scalars->values_bytes, bytes, bytes);
 }

@@ -2,9 +2,6 @@
 # TARGET_SYSTICK_HZ and TARGET_PACKAGES, and includes this file.
 TARGET_CC := arm-none-eabi-gcc
 TARGET_AR := arm-none-eabi-ar
-ifeq ($(shell command -v $(TARGET_CC)),)
-$(error $(TARGET) needs $(TARGET_CC); Debian's packages: $(TARGET_PACKAGES))
-endif
 
 # Optimisation of the library and the firmware: make OPTIMISE=-O3 TARGET=...
 OPTIMISE ?= -Os
@@ -12,9 +9,14 @@ TARGET_CFLAGS := $(TARGET_CPU) $(OPTIMISE) -ffreestanding -ffunction-sections -f
 
 # bytes.c defines memcpy and memset: their loops must stay loops.
 TARGET_PORT_CFLAGS := -fno-tree-loop-distribute-patterns -DSYSTICK_HZ=$(TARGET_SYSTICK_HZ)u
-TARGET_PORT := $(addprefix port/cortex-m/,startup.c bytes.c semihosting.c stack.c systick.c \
-	oled.c measure.c) port/crc32.c
+TARGET_PORT_FOLDER := port/cortex-m
+TARGET_PORT := $(addprefix $(TARGET_PORT_FOLDER)/,startup.c bytes.c semihosting.c stack.c \
+	systick.c oled.c measure.c) port/console.c port/crc32.c
 
 TARGET_LDFLAGS := $(TARGET_CPU) -nostdlib -Wl,--gc-sections -Ltoolchain \
 	-T toolchain/$(TARGET_BOARD).ld
 TARGET_LDLIBS := -lgcc
+TARGET_SCRIPTS := toolchain/$(TARGET_BOARD).ld toolchain/cortex-m.ld
+
+TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines bench functions \
+	size_orthographic size_perspective

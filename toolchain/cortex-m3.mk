@@ -7,4 +7,4 @@ TARGET_SYSTICK_HZ := 12500000
 include toolchain/cortex-m.mk
 
 # Firmware that only this board runs: the head on the OLED.
-TARGET_FIRMWARE := head
+TARGET_FIRMWARE += head

@@ -9,10 +9,11 @@
 #     WARNINGS   the warning options of every C file
 #     HOST_CC    the compiler of this machine (for the emulator's plugin)
 # It offers:
-#     firmware            every firmware of the target
+#     firmware            every firmware of the target: TARGET_FIRMWARE
 #     $(OUT)/NAME.elf     one of them, with its link map beside it
 #     $(OUT)/oled.json    what the host rendered for the OLED, with its checksum
 #     $(COUNT_PLUGIN)     the emulator's counting plugin
+#     $(AVR_SIMULATOR)    the emulator of AVR
 # Variables for the head on the OLED:
 #     SCAN                the scan to show
 #     SCAN_OPTIONS        how qvol classifies it
@@ -22,8 +23,8 @@ SCAN ?= /usr/share/mricron/templates/ch2.nii.gz
 SCAN_OPTIONS ?= --tf oled --reduce 3x4x3
 OLED_VIEW ?= --azimuth 97 --elevation 3 --zoom 1.75
 
-FIRMWARE := golden_steps golden_lengths golden_bsplines bench functions size_orthographic size_perspective $(TARGET_FIRMWARE)
 COUNT_PLUGIN := $(BUILD)/emulator/count.so
+AVR_SIMULATOR := $(BUILD)/emulator/avr
 
 # Sources of each firmware beside the port and the library.
 FIRMWARE_size_orthographic := $(addprefix port/cortex-m/,firmware_size.c firmware_size_orthographic.c)
@@ -37,16 +38,15 @@ FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
 
 DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \
-	-Icore -Ifixedpoint -Iport -Iport/cortex-m -I$(OUT)
+	-Icore -Ifixedpoint -Iport -I$(TARGET_PORT_FOLDER) -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
 DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CFLAGS) $(TARGET_LDFLAGS))
-DEVICE_SCRIPTS := toolchain/$(TARGET_BOARD).ld toolchain/cortex-m.ld
 
 # Objects of sources in the tree, and of generated ones, which lie in $(OUT).
 objects = $(patsubst %.c,$(OUT)/%.o,$(1:$(OUT)/%=%))
 
 .PHONY: firmware
-firmware: $(FIRMWARE:%=$(OUT)/%.elf)
+firmware: $(TARGET_FIRMWARE:%=$(OUT)/%.elf)
 
 $(OUT)/port/%.o: port/%.c $(DEVICE_OPTIONS)
 	@mkdir -p $(@D)
@@ -63,13 +63,13 @@ $(OUT)/%.o: $(OUT)/%.c $(DEVICE_OPTIONS)
 	@$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
 
 define link_firmware
-$(OUT)/$(1).elf: $(call objects,$(FIRMWARE_$(1))) $(DEVICE_OBJECTS) $(LIBRARY) $(DEVICE_SCRIPTS)
+$(OUT)/$(1).elf: $(call objects,$(FIRMWARE_$(1))) $(DEVICE_OBJECTS) $(LIBRARY) $(TARGET_SCRIPTS)
 	@echo "  LD  $$@"
 	@$(TARGET_CC) $(TARGET_LDFLAGS) -Wl,-Map,$$(@:.elf=.map) $$(filter %.o,$$^) $(LIBRARY) \
 		$(TARGET_LDLIBS) -o $$@
 -include $(patsubst %.o,%.d,$(call objects,$(FIRMWARE_$(1))))
 endef
-$(foreach name,$(FIRMWARE),$(eval $(call link_firmware,$(name))))
+$(foreach name,$(TARGET_FIRMWARE),$(eval $(call link_firmware,$(name))))
 -include $(DEVICE_OBJECTS:.o=.d)
 
 # ---- The head in flash ----------------------------------------------------------
@@ -110,9 +110,14 @@ $(OUT)/head_view.h: $(OUT)/oled.json
 
 $(OUT)/port/cortex-m/firmware_head.o: $(OUT)/head_view.h
 
-# ---- The emulator's plugin --------------------------------------------------------
+# ---- The emulators ----------------------------------------------------------------
 
 $(COUNT_PLUGIN): tests/emulator/count.c
 	@mkdir -p $(@D)
 	@echo "  CC  $<"
 	@$(HOST_CC) -std=c99 $(WARNINGS) -O2 -fPIC -shared $< -o $@
+
+$(AVR_SIMULATOR): tests/emulator/avr.c
+	@mkdir -p $(@D)
+	@echo "  CC  $<"
+	@$(HOST_CC) -std=c99 $(WARNINGS) -O2 $< -lsimavr -lelf -o $@

@@ -12,6 +12,7 @@
 #include "measure.h"
 #include "oled.h"
 #include "qvol.h"
+#include "console.h"
 #include "semihosting.h"
 #include "stack.h"
 #include "systick.h"

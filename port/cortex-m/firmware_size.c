@@ -6,7 +6,7 @@
  */
 #include "firmware_size.h"
 #include "measure.h"
-#include "semihosting.h"
+#include "console.h"
 
 enum { EDGE = 8, VOXELS = EDGE * EDGE * EDGE, WIDTH = 16, HEIGHT = 16 };
 

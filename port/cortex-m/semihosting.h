@@ -1,17 +1,12 @@
 /*
- * semihosting.h - console, command line and exit through the debugger or the
- * emulator ("Semihosting for AArch32 and AArch64", Arm).
+ * semihosting.h - command line and exit through the debugger or the emulator
+ * ("Semihosting for AArch32 and AArch64", Arm); so is the console (port/console.h).
  */
 #ifndef SEMIHOSTING_H
 #define SEMIHOSTING_H
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
-
-void console_text(const char *text);
-void console_decimal(uint32_t number);
-void console_hexadecimal(uint32_t number); /* eight digits */
 
 /* Ends the program; the emulator exits with the code modulo 256. */
 void semihosting_exit(int code) __attribute__((noreturn));

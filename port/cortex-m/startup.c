@@ -4,6 +4,7 @@
  * Names that begin with `link_` come from toolchain/cortex-m.ld.
  */
 #include <stdint.h>
+#include "console.h"
 #include "semihosting.h"
 #include "stack.h"
 

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include "measure.h"
 #include "qvol.h"
-#include "semihosting.h"
+#include "console.h"
 
 /* The largest cube of 8-byte voxels that leaves room on 16 KB of RAM. */
 enum { EDGE = 10, VOXELS = EDGE * EDGE * EDGE, WIDTH = 16, HEIGHT = 16 };

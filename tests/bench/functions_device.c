@@ -1,6 +1,6 @@
 /*
- * functions_device.c - instructions of each fixed-point function: one region of the
- * counting plugin for each, CALLS calls over its domain, the loop included; the
+ * functions_device.c - instructions of each fixed-point function: one measured region
+ * (port/measure.h) for each, CALLS calls over its domain, the loop included; the
  * first region is the empty loop. Prints a line for each: name and checksum of the
  * results, which is the same on every machine.
  */
@@ -8,7 +8,7 @@
 #include "fx_log.h"
 #include "fx_phi.h"
 #include "measure.h"
-#include "semihosting.h"
+#include "console.h"
 
 enum { CALLS = 256 };
 
@@ -34,6 +34,12 @@ static uint32_t transmittance(uint32_t i)
 static uint32_t transmittance16(uint32_t i)
 {
     return fx_transmittance16((i * i) << 12);
+}
+
+static uint32_t depth(uint32_t i)
+{
+    fx_depth depth_of_i = fx_depth_of_transmittance(i << 24);
+    return (uint32_t)(depth_of_i >> 32) ^ (uint32_t)depth_of_i;
 }
 
 static uint32_t extinction16(uint32_t i)
@@ -79,6 +85,7 @@ int main(void)
         {"nothing", nothing},
         {"transmittance", transmittance},
         {"transmittance16", transmittance16},
+        {"depth", depth},
         {"extinction16", extinction16},
         {"extinction8", extinction8},
         {"phi", phi},

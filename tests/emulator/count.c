@@ -1,6 +1,6 @@
 /*
  * count.c - a QEMU plugin that counts what happens between a firmware's calls
- * of measure_begin and measure_end (port/cortex-m/measure.h).
+ * of measure_begin and measure_end (port/measure.h).
  *
  * For every such region, one line in the file given as out=FILE:
  *     region NUMBER instructions COUNT stack BYTES

@@ -3,7 +3,7 @@
  */
 #include "golden.h"
 #include "golden_device.h"
-#include "semihosting.h"
+#include "console.h"
 #include "stack.h"
 
 static golden_memory memory;

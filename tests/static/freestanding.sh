@@ -25,4 +25,5 @@ builds clang clang
 builds "gcc, 32 bits" gcc -m32
 builds "Cortex-M0" arm-none-eabi-gcc -mcpu=cortex-m0 -mthumb
 builds "Cortex-M3" arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb
+builds "AVR" avr-gcc -mmcu=atmega1284p
 finish

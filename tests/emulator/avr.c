@@ -1,0 +1,142 @@
+/*
+ * avr.c - runs a firmware on a simulated AVR, exact to the cycle, with libsimavr:
+ *
+ *     avr MACHINE FILE.elf [out=FILE]
+ *
+ * The first serial port is standard output. The firmware ends the run by writing its
+ * exit code to GPIOR0, and marks what is measured by writing 1, then 0 to GPIOR1
+ * (port/avr/simulator.c). For every such region, one line in the file out:
+ *     region NUMBER instructions COUNT cycles COUNT
+ */
+#include <inttypes.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <simavr/avr_uart.h>
+#include <simavr/sim_avr.h>
+#include <simavr/sim_elf.h>
+#include <simavr/sim_io.h>
+
+/* Addresses of an ATmega1284P's registers as data. */
+enum { GPIOR0 = 0x3E, GPIOR1 = 0x4A };
+
+/* What a fault returns to the shell, as the Cortex-M firmware does: 128 + SIGSEGV. */
+enum { FAULT_EXIT_CODE = 139, USAGE_EXIT_CODE = 2 };
+
+#define CLOCK_HZ 16000000u
+
+typedef struct {
+    FILE *report; /* NULL where none is wanted */
+    unsigned region;
+    uint64_t instructions; /* since the reset */
+    uint64_t instructions_at_begin;
+    avr_cycle_count_t cycles_at_begin;
+    bool ended;
+    int exit_code;
+} run;
+
+static void put_character(struct avr_irq_t *irq, uint32_t value, void *parameter)
+{
+    (void)irq;
+    (void)parameter;
+    putchar((int)value);
+}
+
+static void end_run(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *parameter)
+{
+    run *r = parameter;
+    (void)avr;
+    (void)address;
+    r->ended = true;
+    r->exit_code = value;
+}
+
+static void mark(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *parameter)
+{
+    run *r = parameter;
+    (void)address;
+    if (value != 0) {
+        r->instructions_at_begin = r->instructions;
+        r->cycles_at_begin = avr->cycle;
+    } else if (r->report != NULL) {
+        fprintf(r->report, "region %u instructions %" PRIu64 " cycles %" PRIu64 "\n", r->region++,
+                r->instructions - r->instructions_at_begin, avr->cycle - r->cycles_at_begin);
+    }
+}
+
+static void log_errors(struct avr_t *avr, const int level, const char *format, va_list arguments)
+{
+    (void)avr;
+    if (level <= LOG_ERROR)
+        vfprintf(stderr, format, arguments);
+}
+
+/* NULL where there is no such machine or file. */
+static avr_t *power_up(const char *machine, const char *file)
+{
+    elf_firmware_t firmware;
+    memset(&firmware, 0, sizeof firmware);
+    avr_t *avr = avr_make_mcu_by_name(machine);
+    if (avr == NULL || elf_read_firmware(file, &firmware) != 0)
+        return NULL;
+    avr_init(avr);
+    avr->frequency = CLOCK_HZ;
+    avr->run_cycle_limit = 1; /* one instruction a call, so that they can be counted */
+    avr_load_firmware(avr, &firmware);
+    return avr;
+}
+
+/* The port's own output to the terminal, and its naps while it is polled, are off. */
+static void connect(avr_t *avr, run *r)
+{
+    uint32_t flags = 0;
+    avr_ioctl(avr, AVR_IOCTL_UART_GET_FLAGS('0'), &flags);
+    flags &= ~(uint32_t)(AVR_UART_FLAG_STDIO | AVR_UART_FLAG_POLL_SLEEP);
+    avr_ioctl(avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
+    avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT),
+                            put_character, r);
+    avr_register_io_write(avr, GPIOR0, end_run, r);
+    avr_register_io_write(avr, GPIOR1, mark, r);
+}
+
+static int execute(avr_t *avr, run *r)
+{
+    while (!r->ended) {
+        int state = avr_run(avr);
+        if (state == cpu_Done || state == cpu_Crashed) {
+            fprintf(stderr, "avr: fault at 0x%x\n", (unsigned)avr->pc);
+            return FAULT_EXIT_CODE;
+        }
+        r->instructions++;
+    }
+    return r->exit_code;
+}
+
+int main(int count, char **arguments)
+{
+    run r = {.report = NULL};
+    bool reports = count == 4 && strncmp(arguments[3], "out=", 4) == 0;
+    if (count != 3 && !reports) {
+        fprintf(stderr, "usage: avr MACHINE FILE.elf [out=FILE]\n");
+        return USAGE_EXIT_CODE;
+    }
+    if (reports && (r.report = fopen(arguments[3] + 4, "w")) == NULL) {
+        perror(arguments[3] + 4);
+        return USAGE_EXIT_CODE;
+    }
+    avr_global_logger_set(log_errors);
+    avr_t *avr = power_up(arguments[1], arguments[2]);
+    if (avr == NULL) {
+        fprintf(stderr, "avr: cannot run %s on %s\n", arguments[2], arguments[1]);
+        return USAGE_EXIT_CODE;
+    }
+    connect(avr, &r);
+    int code = execute(avr, &r);
+    avr_terminate(avr);
+    if (r.report != NULL && fclose(r.report) != 0)
+        code = USAGE_EXIT_CODE;
+    return fflush(stdout) == 0 ? code : USAGE_EXIT_CODE;
+}
