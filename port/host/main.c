@@ -75,7 +75,9 @@ static const struct command commands[] = {
      "\nOUT ends in .c or .h (constant arrays, a qv_volume and a qv_pyramid for flash), else it\n"
      "gets the voxels and then the levels, each x fastest, and OUT.palette the palette of\n"
      "indexed8, whose levels are RGBA or RGBT. The report tells size, spacing and offset of each,\n"
-     "and the options with which `qvol render` reads the file; with --level 2 it draws level 2.\n",
+     "and the options with which `qvol render` reads the file: it is raw data of --dims and "
+     "--type\n"
+     "of the volume, and --level 2 draws level 2. --skip and --dims of a level read it alone.\n",
      GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_LEVELS | GROUP_EXPORT | GROUP_OUTPUT |
          GROUP_REPORT | GROUP_THREADS | GROUP_COMMON,
      1, command_pyramid},
