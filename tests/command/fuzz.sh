@@ -156,7 +156,7 @@ for number in range(count // 4):
     wrong += is_bad
     drawn += is_drawn
 print(f"# {count // 4} sets of options, {drawn} drawn")
-wrong += drawn < count // 20
+wrong += drawn < count // 40
 print(f"# {count} mutations, {accepted} accepted, {wrong} wrong")
 sys.exit(wrong > 0 or accepted < len(seeds) or accepted > count // 2)
 END
