@@ -80,15 +80,18 @@ FX_INLINE qv_address qv_rows_entry(const qv_rows *rows, unsigned row, unsigned i
     return qv_entry(qv_at(rows->row[row], rows->at[i]), volume, storage);
 }
 
-/* Whether one of the 27 voxels has opacity. */
+/* Whether one of the 27 voxels has opacity. Most samples that are not in the void find it in
+   their first row. */
 FX_INLINE int qv_rows_any(const qv_rows *rows, const qv_volume *volume, unsigned storage)
 {
-    uint32_t any = 0;
-    for (unsigned row = 0; row < 9; row++)
-        any |= qv_opacity_bits(qv_rows_entry(rows, row, 0, volume, storage), storage) |
-               qv_opacity_bits(qv_rows_entry(rows, row, 1, volume, storage), storage) |
-               qv_opacity_bits(qv_rows_entry(rows, row, 2, volume, storage), storage);
-    return any != 0;
+    for (unsigned row = 0; row < 9; row++) {
+        uint32_t any = qv_opacity_bits(qv_rows_entry(rows, row, 0, volume, storage), storage) |
+                       qv_opacity_bits(qv_rows_entry(rows, row, 1, volume, storage), storage) |
+                       qv_opacity_bits(qv_rows_entry(rows, row, 2, volume, storage), storage);
+        if (any != 0)
+            return 1;
+    }
+    return 0;
 }
 
 /* Adds one voxel to the sums. */

@@ -1,7 +1,10 @@
 #!/bin/sh
-# Instructions a sample on the emulated devices, as a Markdown table: everything
-# that qv_render_some executes for a 16x16 frame of rays of about 40 samples,
-# divided by the samples. "full": no sample is skipped; "sparse": as many as told.
+# Instructions a sample on the emulated devices: everything that qv_render_some
+# executes for a 16x16 frame of rays of about 40 samples, divided by the samples.
+# "full": no sample is skipped; "sparse": as many as told.
+#
+#     tests/bench/device.sh                 a Markdown table of both devices
+#     tests/bench/device.sh TARGET BOARD    lines "STORAGE MODE SCENE INSTRUCTIONS" of one
 set -eu
 : "${BUILD:=build}" "${OPTIMISE:=-O2}"
 cd "$(dirname "$0")/../.."
@@ -9,27 +12,52 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 plugin=$BUILD/emulator/count.so
 
-count() { # count TARGET BOARD: lines "STORAGE MODE SCENE INSTRUCTIONS" for one device
+count() { # count TARGET BOARD
     out=$BUILD/bench$OPTIMISE
     make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$out/$1/bench.elf" >&2
     EMULATOR_OPTIONS="-plugin $plugin,out=$work/regions" \
         toolchain/emulate "$2" "$out/$1/bench.elf" >"$work/scenes" 2>"$work/messages" ||
         { cat "$work/scenes" "$work/messages" >&2; exit 1; }
     paste -d ' ' "$work/scenes" "$work/regions" |
-        awk '{ printf "%s %s %s %.0f\n", $1, $2, $3, $9 / $4 }' >"$work/$1"
+        awk '{ printf "%s %s %s %.0f\n", $1, $2, $3, $9 / $4 }'
+}
+
+# A row for each mode, a column for each storage and device, "FULL / SPARSE" in each.
+rows() {
+    paste -d ' ' "$work/cortex-m3" "$work/cortex-m0" | awk '
+        { stored = $1 ~ /t[0-9]/; column = $1; sub(/rgbt/, "rgba", column); sub(/_t8/, "", column)
+          sub(/_t/, "_", column); row = $2 (stored ? ", stored" : "") }
+        !(row in seen) { seen[row] = 1; name[rows++] = row }
+        { cell[row, column, 3, $3] = $4; cell[row, column, 0, $3] = $8 }
+        END {
+            columns = split("rgba8 rgba16 indexed8 indexed8_16", column_name)
+            for (r = 0; r < rows; r++) {
+                printf "| %s |", name[r]
+                for (core = 3; core >= 0; core -= 3)
+                    for (c = 1; c <= columns; c++) {
+                        at = name[r] SUBSEP column_name[c] SUBSEP core
+                        printf " %d / %d |", cell[at, "full"], cell[at, "sparse"]
+                    }
+                print ""
+            }
+        }'
 }
 
 make -s TARGET=cortex-m3 BUILD="$BUILD" "$plugin" >&2
-count cortex-m3 lm3s6965evb
-count cortex-m0 microbit
+if [ $# -eq 2 ]; then
+    count "$1" "$2"
+    exit
+fi
+count cortex-m3 lm3s6965evb >"$work/cortex-m3"
+count cortex-m0 microbit >"$work/cortex-m0"
 
 skipped=$(awk '$3 == "sparse" { all += $4; clear += $5 } END { printf "%.0f", 100 * clear / all }' \
     "$work/scenes")
-echo "Instructions a sample ($(arm-none-eabi-gcc --version | head -n 1), $OPTIMISE); full: every"
-echo "sample is taken; sparse: $skipped % lie in cells that are skipped:"
+echo "Instructions a sample ($(arm-none-eabi-gcc --version | head -n 1), $OPTIMISE), where"
+echo "every sample is taken / where $skipped % lie in cells that are skipped; \"stored\" is of voxels"
+echo "that hold extinction; modes that weigh by length take steps of 1/4 of the unit distance:"
 echo
-echo "| storage | sampling | Cortex-M3 full | sparse | Cortex-M0 full | sparse |"
-echo "|---|---|---|---|---|---|"
-paste -d ' ' "$work/cortex-m3" "$work/cortex-m0" |
-    awk '$3 == "full"   { m3 = $4; m0 = $8 }
-         $3 == "sparse" { printf "| %s | %s | %d | %d | %d | %d |\n", $1, $2, m3, $4, m0, $8 }'
+echo "| sampling | Cortex-M3, 8 bits | 16 bits | indexed8 | indexed8_16 |" \
+    "Cortex-M0, 8 bits | 16 bits | indexed8 | indexed8_16 |"
+echo "|---|---|---|---|---|---|---|---|---|"
+rows
