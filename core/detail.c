@@ -2,8 +2,7 @@
 #include "fx_log.h"
 #include "fx_wide.h"
 #include "layout.h"
-
-#define MOST_DISTANCE (((uint32_t)1 << 23) - 1u) /* of qv_scene.level_distance */
+#include "level.h"
 
 /* An eye that qv_init accepts is nearer to the volume's centre: at most 2^20 paces from
    the volume's origin on each axis, and the centre at most 2^19 from there. */
@@ -47,8 +46,8 @@ static uint32_t distance_of(uint64_t steps, uint32_t pitch, uint32_t spacing)
 {
     uint64_t product = (uint64_t)fx_multiply((int64_t)steps, (int32_t)spacing); /* <= 2^62 */
     uint64_t distance = fx_divide(product, pitch) >> 16;
-    if (distance > MOST_DISTANCE)
-        return MOST_DISTANCE;
+    if (distance > QV_MOST_DISTANCE)
+        return QV_MOST_DISTANCE;
     return distance == 0 ? 1u : (uint32_t)distance;
 }
 

@@ -2,9 +2,7 @@
 
 #include "pyramid.h"
 
-#define MOST_DISTANCE ((uint32_t)1 << 23)
-#define HALF_STEP     (QV_STEP / 2)
-#define BLEND_BITS    24 /* from Q8.8 to Q0.32 */
+#define BLEND_BITS 24 /* from Q8.8 to Q0.32 */
 
 qv_status qv_level_check(const qv_scene *scene)
 {
@@ -12,7 +10,7 @@ qv_status qv_level_check(const qv_scene *scene)
     if (status != QV_OK)
         return status;
     int rises = scene->level_distance != 0, has_eye = scene->camera.pace[0] != 0;
-    if (scene->level > scene->pyramid->levels * 256u || scene->level_distance >= MOST_DISTANCE ||
+    if (scene->level > scene->pyramid->levels * 256u || scene->level_distance > QV_MOST_DISTANCE ||
         (rises && !has_eye))
         return QV_ERROR_LEVEL;
     return QV_OK;
@@ -21,7 +19,7 @@ qv_status qv_level_check(const qv_scene *scene)
 /* Where the border before a stretch lies. */
 static int64_t border(int64_t stretch)
 {
-    return stretch * QV_STEP - HALF_STEP;
+    return stretch * QV_STEP - QV_HALF_STEP;
 }
 
 /* The span of a stretch, where the level rises with the distance. */

@@ -10,6 +10,9 @@
 
 #include "stretch.h"
 
+/* Of qv_scene.level_distance. */
+#define QV_MOST_DISTANCE (((uint32_t)1 << 23) - 1u)
+
 /* A part of a ray that sees one level, or two blended. */
 typedef struct qv_span {
     int64_t end;     /* the position up to which */

@@ -1,5 +1,3 @@
 #include "march_levels.h"
 
-static const qv_family corrected = {qv_sample_weighted, qv_corrected_under, qv_corrected_over, 0};
-
-QV_EACH_CORRECTED(QV_DEFINE_LEVELS, corrected, &corrected)
+QV_EACH_CORRECTED(QV_DEFINE_LEVELS, corrected, &qv_family_corrected)

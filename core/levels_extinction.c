@@ -1,5 +1,3 @@
 #include "march_levels.h"
 
-static const qv_family stored = {qv_sample_weighted, qv_extinction_under, qv_extinction_over, 1};
-
-QV_EACH_EXTINCTION(QV_DEFINE_LEVELS, extinction, &stored)
+QV_EACH_EXTINCTION(QV_DEFINE_LEVELS, extinction, &qv_family_extinction)

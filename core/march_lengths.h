@@ -7,15 +7,8 @@
 #ifndef QV_MARCH_LENGTHS_H
 #define QV_MARCH_LENGTHS_H
 
-#include "correct.h"
+#include "families.h"
 #include "stretch.h"
-
-/* What distinguishes one family of modes from another. */
-typedef struct qv_family {
-    qv_mode *mode;
-    qv_model *under, *over;
-    int gathers; /* whether light is gathered beside qv_light */
-} qv_family;
 
 FX_INLINE void qv_advance_run(qv_run *run)
 {
@@ -110,7 +103,7 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
  * Defines the sampling mode qv_MODE_SUFFIX of a family for a storage, in both orders.
  * Macros because the descriptors are public names; the code is qv_march_lengths.
  */
-#define QV_DEFINE_LENGTHS(mode, suffix, prepare, family, read_out, storage)                        \
+#define QV_DEFINE_LENGTHS(mode, suffix, kind, family, read_out, storage)                           \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
         qv_march_lengths(light, ray, context, storage, family);                                    \
@@ -119,33 +112,30 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     {                                                                                              \
         qv_march_lengths_back(light, ray, context, storage, family);                               \
     }                                                                                              \
-    const qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage};         \
-    const qv_sampling qv_##mode##_##suffix##_back_to_front = {prepare, march_back_##suffix,        \
-                                                              read_out, storage};
+    const qv_sampling qv_##mode##_##suffix = {qv_prepare_##kind, march_##suffix, read_out,         \
+                                              storage};                                            \
+    const qv_sampling qv_##mode##_##suffix##_back_to_front = {                                     \
+        qv_prepare_##kind, march_back_##suffix, read_out, storage};
 
 /* DEFINE for each storage of opacity-based modes: those that hold opacity. */
 #define QV_EACH_CORRECTED(DEFINE, mode, family)                                                    \
-    DEFINE(mode, rgba8, qv_prepare_corrected, family, QV_READ_OUT_8, QV_STORAGE_RGBA8)             \
-    DEFINE(mode, rgba16, qv_prepare_corrected, family, QV_READ_OUT_16, QV_STORAGE_RGBA16)          \
-    DEFINE(mode, indexed8, qv_prepare_corrected, family, QV_READ_OUT_8, QV_STORAGE_INDEXED8)       \
-    DEFINE(mode, indexed8_16, qv_prepare_corrected, family, QV_READ_OUT_16, QV_STORAGE_INDEXED8_16)
+    DEFINE(mode, rgba8, corrected, family, QV_READ_OUT_8, QV_STORAGE_RGBA8)                        \
+    DEFINE(mode, rgba16, corrected, family, QV_READ_OUT_16, QV_STORAGE_RGBA16)                     \
+    DEFINE(mode, indexed8, corrected, family, QV_READ_OUT_8, QV_STORAGE_INDEXED8)                  \
+    DEFINE(mode, indexed8_16, corrected, family, QV_READ_OUT_16, QV_STORAGE_INDEXED8_16)
 
 /* Of extinction-based modes: those that hold extinction, */
 #define QV_EACH_EXTINCTION(DEFINE, mode, family)                                                   \
-    DEFINE(mode, rgbt8, qv_prepare_extinction, family, QV_READ_OUT_8, QV_STORAGE_RGBT8)            \
-    DEFINE(mode, rgbt16, qv_prepare_extinction, family, QV_READ_OUT_16, QV_STORAGE_RGBT16)         \
-    DEFINE(mode, indexed8_t8, qv_prepare_extinction, family, QV_READ_OUT_8,                        \
-           QV_STORAGE_INDEXED8_T8)                                                                 \
-    DEFINE(mode, indexed8_t16, qv_prepare_extinction, family, QV_READ_OUT_16,                      \
-           QV_STORAGE_INDEXED8_T16)
+    DEFINE(mode, rgbt8, extinction, family, QV_READ_OUT_8, QV_STORAGE_RGBT8)                       \
+    DEFINE(mode, rgbt16, extinction, family, QV_READ_OUT_16, QV_STORAGE_RGBT16)                    \
+    DEFINE(mode, indexed8_t8, extinction, family, QV_READ_OUT_8, QV_STORAGE_INDEXED8_T8)           \
+    DEFINE(mode, indexed8_t16, extinction, family, QV_READ_OUT_16, QV_STORAGE_INDEXED8_T16)
 
 /* and those that hold opacity, which is converted. */
 #define QV_EACH_CONVERTED(DEFINE, mode, family)                                                    \
-    DEFINE(mode, rgba8, qv_prepare_converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA8)     \
-    DEFINE(mode, rgba16, qv_prepare_converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA16)   \
-    DEFINE(mode, indexed8, qv_prepare_converted, family, QV_READ_OUT_CONVERTED,                    \
-           QV_STORAGE_INDEXED8)                                                                    \
-    DEFINE(mode, indexed8_16, qv_prepare_converted, family, QV_READ_OUT_CONVERTED,                 \
-           QV_STORAGE_INDEXED8_16)
+    DEFINE(mode, rgba8, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA8)                \
+    DEFINE(mode, rgba16, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA16)              \
+    DEFINE(mode, indexed8, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_INDEXED8)          \
+    DEFINE(mode, indexed8_16, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_INDEXED8_16)
 
 #endif /* QV_MARCH_LENGTHS_H */

@@ -7,11 +7,12 @@
 #include "level.h"
 #include "march_lengths.h"
 
-/* A sum of one level and that of the next, in proportion: to nearest, each on its own, so
-   that it stays below 2^32 as both are at most 65536 * 65535. share is not 0. */
+/* A sum of one level and that of the next, in proportion, to nearest: never above the
+   larger, and exact where they are equal. share is not 0; both are below 2^32 - 2^15. */
 FX_INLINE uint32_t qv_blend(uint32_t finer, uint32_t coarser, uint32_t share)
 {
-    return fx_high_product(finer, 0u - share) + fx_high_product(coarser, share);
+    uint64_t sum = fx_wide_product(finer, 0u - share) + fx_wide_product(coarser, share);
+    return (uint32_t)((sum + 0x80000000u) >> 32);
 }
 
 /* Blends the coarser sample into the finer one, both at the lesser of their scales. */
@@ -41,7 +42,7 @@ FX_INLINE void qv_clear_sample(qv_sample *sample)
 FX_INLINE int qv_look_at_level(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
                                unsigned which, unsigned storage, const qv_family *family)
 {
-    if (qv_storage_indexed(storage) && sight->span->level + which == 0)
+    if (which == 0 && qv_storage_indexed(storage) && sight->span->level == 0)
         return family->mode(sample, ray, sight->volume[which], storage);
     return family->mode(sample, ray, sight->volume[which], qv_entry_storage(storage));
 }
@@ -92,11 +93,13 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
 }
 
 /* Defines qv_MODE_SUFFIX_levels. The pyramid is checked before the medium is made. */
-#define QV_DEFINE_LEVELS(mode, suffix, prepare, family, read_out, storage)                         \
+#define QV_DEFINE_LEVELS(mode, suffix, kind, family, read_out, storage)                            \
     static qv_status prepare_##suffix(qv_context *context, const qv_scene *scene)                  \
     {                                                                                              \
         qv_status status = qv_level_check(scene);                                                  \
-        return status == QV_OK ? prepare(context, scene) : status;                                 \
+        if (status == QV_OK)                                                                       \
+            status = qv_medium_##kind(&context->medium, scene, scene->pyramid->levels);            \
+        return status;                                                                             \
     }                                                                                              \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \

@@ -21,14 +21,19 @@
 #include "qvol.h"
 
 /*
- * Prepare a context for corrected opacity, for stored extinction, and for extinction of
- * stored opacity. QV_OK, QV_ERROR_UNIT, QV_ERROR_EXTINCTION.
+ * Media of corrected opacity, of stored extinction, and of the extinction of stored
+ * opacity, for pieces of so many levels; and what modes that read no pyramid prepare.
+ * Nothing is written on error. QV_OK, QV_ERROR_UNIT, QV_ERROR_EXTINCTION.
  */
+qv_status qv_medium_corrected(qv_medium *medium, const qv_scene *scene, unsigned levels);
+qv_status qv_medium_extinction(qv_medium *medium, const qv_scene *scene, unsigned levels);
+qv_status qv_medium_converted(qv_medium *medium, const qv_scene *scene, unsigned levels);
 qv_status qv_prepare_corrected(qv_context *context, const qv_scene *scene);
 qv_status qv_prepare_extinction(qv_context *context, const qv_scene *scene);
 qv_status qv_prepare_converted(qv_context *context, const qv_scene *scene);
 
-/* The medium of a length in steps, Q16.16: at most 2^levels, so that nothing overflows. */
+/* The medium of a length in steps, Q16.16, at most the 2^levels that the medium was made
+   for: depth stays below 2^62 and light below 2^32, as they do for that length. */
 FX_INLINE void qv_medium_scale(qv_medium *scaled, const qv_medium *step, uint32_t length)
 {
     *scaled = *step;

@@ -352,13 +352,16 @@ extern const qv_sampling qv_weighted_indexed8_back_to_front, qv_weighted_indexed
  * steps long, counted from the border before stretch 0. Two levels are blended as sums,
  * before anything is made of them.
  *
- * Errors, beside those of weights and compositing above: depth is exact but for 2^-31 a
- * sample and, of stored opacity, 2^-24 for a unit distance; light is within 2^-16 of
- * itself. Corrected opacity is within 2^-27, times the ratio of length to unit distance
- * where that is above 1; corrected colour within 2^-16 of itself.
- * The unit distance may be 2^-12 .. 2^12 steps (else QV_ERROR_UNIT). The full value's
- * depth for a step, of the coarsest level, is above 0 and below 2^22 (else
- * QV_ERROR_EXTINCTION).
+ * Errors, beside those of weights (of B-splines, 27 of them: 2^-27) and compositing
+ * above. Depth is exact but for 2^-31 a sample and, of stored opacity, 2^-24 for a unit
+ * distance. Light is within 2^-16 of itself and 2^-29 a sample; where the full value's
+ * depth for a piece is above 2^12, within 2^-28 times that depth of itself. Corrected
+ * opacity is within 2^-27, times the ratio of length to unit distance where that is above
+ * 1; corrected colour within 2^-15 of itself.
+ *
+ * The unit distance may be 2^-12 .. 2^12 steps, and in corrected modes at least 2^-10
+ * steps of the coarsest level (else QV_ERROR_UNIT). The full value's depth for a step, of
+ * the coarsest level, is above 0 and below 2^22 (else QV_ERROR_EXTINCTION).
  */
 QV_DECLARE_OPACITY_SAMPLINGS(qv_corrected)
 QV_DECLARE_OPACITY_SAMPLINGS(qv_bspline_weighted)
@@ -423,7 +426,8 @@ typedef struct qv_scene {
     uint16_t level;              /* what _levels modes sample, Q8.8: 0 the volume, 256 level 1; in
                                     between, both, in proportion. At most the levels there are */
     uint32_t level_distance;     /* 0: that level everywhere. Else, in perspective: so many steps
-                                    from the eye its whole part begins to rise, by 1 up to twice
+                                    from the border of stretch 0, that is from within half a step
+                                    of the eye, its whole part begins to rise, by 1 up to twice
                                     the distance, and so on; see qv_detail. Below 2^23 */
     const qv_pyramid *pyramid;   /* kept by the caller; null where no _levels mode is used */
     qv_volume volume;

@@ -1,6 +1,3 @@
-#include "bspline.h"
 #include "march_lengths.h"
 
-static const qv_family weighted = {qv_bspline_weighted, qv_corrected_under, qv_corrected_over, 0};
-
-QV_EACH_CORRECTED(QV_DEFINE_LENGTHS, bspline_weighted, &weighted)
+QV_EACH_CORRECTED(QV_DEFINE_LENGTHS, bspline_weighted, &qv_family_bspline_corrected)

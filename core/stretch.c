@@ -4,11 +4,11 @@
 
 #define QUOTIENT_BITS 23u
 #define FARTHEST      (QV_GRID_LIMIT * QV_STEP)
-#define HALF_STEP     (QV_STEP / 2)
 #define LENGTH_SHIFT  (QV_STEP_BITS - 16u) /* from positions to a run's length */
 
-/* The next 16 bits of rest / d, for rest < d and 2^31 <= d: the upper half of d makes a
-   guess that is at most 2 too high. What is left goes to rest. */
+/* The next 16 bits of rest / d, for rest < d and 2^31 <= d. The upper half h of d makes a
+   guess: d < (h + 1) 2^16 and h >= 2^15, so that rest / h is above 2^16 rest / d by less than
+   2^16 / h <= 2. What is left goes to rest. */
 static uint32_t next_digit(uint32_t *rest, uint32_t d)
 {
     uint64_t dividend = (uint64_t)*rest << 16;
@@ -89,7 +89,7 @@ static void narrow_to_slab(qv_ray *ray, unsigned axis, qv_coord size)
 
 int32_t qv_stretch_of(int64_t position)
 {
-    return (int32_t)fx_shift_floor(position + HALF_STEP, QV_STEP_BITS);
+    return (int32_t)fx_shift_floor(position + QV_HALF_STEP, QV_STEP_BITS);
 }
 
 void qv_path_clip(qv_ray *ray, const qv_context *context)
@@ -136,7 +136,7 @@ int qv_next_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level)
     if (left <= 0)
         return 0;
     /* from the border before, modulo a power of 2 whatever the sign */
-    int64_t behind = (int64_t)((uint64_t)(ray->enter + HALF_STEP) & ((uint64_t)whole - 1u));
+    int64_t behind = (int64_t)((uint64_t)(ray->enter + QV_HALF_STEP) & ((uint64_t)whole - 1u));
     int64_t length = whole - behind < left ? whole - behind : left;
     run->ray.samples = length == whole ? (uint32_t)(left >> (QV_STEP_BITS + level)) : 1u;
     /* to nearest; <= 2^28 */

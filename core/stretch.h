@@ -12,6 +12,7 @@
 
 #define QV_STEP_BITS 24u
 #define QV_STEP      ((int64_t)1 << QV_STEP_BITS)
+#define QV_HALF_STEP (QV_STEP / 2)
 
 /* Pieces of equal length that follow each other. */
 typedef struct qv_run {

@@ -8,7 +8,8 @@
 
 fx_depth fx_depth_scale(fx_depth depth, uint32_t ratio)
 {
-    uint64_t whole = fx_wide_product((uint32_t)(depth >> 32), ratio); /* <= 2^6 * 2^32 */
+    uint64_t whole = fx_wide_product((uint32_t)(depth >> 32),
+                                     ratio); /* below 2^48, as the product is below 2^32 */
     uint64_t fraction = fx_wide_product((uint32_t)depth, ratio);
     return (whole << 16) + (fraction >> 16);
 }
