@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-typedef qv_status preparation(qv_context *context, const qv_scene *scene);
+typedef qv_status preparation(qv_medium *medium, const qv_scene *scene, unsigned levels);
 
 /* The fields of a scene that a medium is made of. */
 typedef struct lengths {
@@ -18,14 +18,10 @@ typedef struct lengths {
     uint8_t storage, levels;
 } lengths;
 
-static qv_pyramid pyramid;
-
 static qv_scene scene_of(const lengths *of)
 {
     qv_scene scene;
     memset(&scene, 0, sizeof scene);
-    pyramid.levels = of->levels;
-    scene.pyramid = of->levels != 0 ? &pyramid : NULL;
     scene.camera.step = of->step;
     scene.volume.unit_distance = of->unit;
     scene.volume.extinction = of->extinction;
@@ -37,52 +33,76 @@ static qv_scene scene_of(const lengths *of)
 static void expect(preparation *prepare, const lengths *of, qv_status status)
 {
     const qv_scene scene = scene_of(of);
-    qv_context context;
-    fixture_poison(&context, sizeof context);
-    assert_int_equal(prepare(&context, &scene), status);
-    assert_true((status == QV_OK) != fixture_untouched(&context, sizeof context));
+    qv_medium medium;
+    fixture_poison(&medium, sizeof medium);
+    assert_int_equal(prepare(&medium, &scene, of->levels), status);
+    assert_true((status == QV_OK) != fixture_untouched(&medium, sizeof medium));
 }
 
 static qv_medium medium_of(preparation *prepare, const lengths *of)
 {
     const qv_scene scene = scene_of(of);
-    qv_context context;
-    assert_int_equal(prepare(&context, &scene), QV_OK);
-    return context.medium;
+    qv_medium medium;
+    assert_int_equal(prepare(&medium, &scene, of->levels), QV_OK);
+    return medium;
 }
 
 /* ---- Unit distance ---- */
 
-static preparation *const by_unit[2] = {qv_prepare_corrected, qv_prepare_converted};
+typedef struct limit {
+    uint32_t step, unit;
+    uint8_t levels;
+    qv_status status;
+} limit;
+
+static void expect_ratios(preparation *prepare, const limit cases[], unsigned count)
+{
+    for (unsigned i = 0; i < count; i++) {
+        const lengths of = {cases[i].step, cases[i].unit, 1, QV_STORAGE_RGBA8, cases[i].levels};
+        expect(prepare, &of, cases[i].status);
+    }
+}
 
 /* 2^-12 .. 2^12 steps. */
 static void unit_distances_have_limits(void **state)
 {
-    static const struct {
-        uint32_t step, unit;
-        qv_status status;
-    } cases[] = {
-        {65536, 65536u << 12, QV_OK},
-        {65536, (65536u << 12) + 1, QV_ERROR_UNIT},
-        {65536, 65536u >> 12, QV_OK},
-        {65536, (65536u >> 12) - 1, QV_ERROR_UNIT},
-        {(16u << 12) + 1, 16, QV_ERROR_UNIT},
-        {(16u << 12) - 1, 16, QV_OK},
-        {1, 4096, QV_OK},
-        {1, 4097, QV_ERROR_UNIT},
-        {0xFFFFFFFF, 0x7FFFFFFF, QV_OK},
-        {0xFFFFFFFF, 0x80000000, QV_ERROR_UNIT},
-        {0xFFFFFFFF, 0xFFFFFFFF, QV_OK}, /* the step, whatever that is */
-        {0xFFFFFFFF, 0, QV_OK},
-        {0x80001, 0x80001000, QV_ERROR_UNIT},
+    static const limit both[] = {
+        {65536, 65536u << 12, 0, QV_OK},
+        {65536, (65536u << 12) + 1, 0, QV_ERROR_UNIT},
+        {1, 4096, 0, QV_OK},
+        {1, 4097, 0, QV_ERROR_UNIT},
+        {0xFFFFFFFF, 0x7FFFFFFF, 0, QV_OK},
+        {0xFFFFFFFF, 0x80000000, 0, QV_OK},
+        {0x80000001, 0xFFFFFFFF, 0, QV_OK},
+        {0x80001, 0x80001000, 0, QV_OK},
+        {0x80001, 0x80001001, 0, QV_ERROR_UNIT},
+        {0xFFFFFFFF, 0xFFFFFFFF, 0, QV_OK}, /* the step, whatever that is */
+        {0xFFFFFFFF, 0, 0, QV_OK},
+    };
+    static const limit converted[] = {
+        {65536, 65536u >> 12, 0, QV_OK},
+        {65536, (65536u >> 12) - 1, 0, QV_ERROR_UNIT},
+        {(16u << 12) + 1, 16, 0, QV_ERROR_UNIT},
+        {(16u << 12) - 1, 16, 0, QV_OK},
     };
     (void)state;
 
-    for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++)
-        for (unsigned p = 0; p < 2; p++) {
-            const lengths of = {cases[i].step, cases[i].unit, 1, QV_STORAGE_RGBA8, 0};
-            expect(by_unit[p], &of, cases[i].status);
-        }
+    expect_ratios(qv_medium_corrected, both, sizeof both / sizeof *both);
+    expect_ratios(qv_medium_converted, both, sizeof both / sizeof *both);
+    expect_ratios(qv_medium_converted, converted, sizeof converted / sizeof *converted);
+}
+
+/* At least 2^-10 steps of the coarsest level. */
+static void corrected_lengths_have_a_limit(void **state)
+{
+    static const limit cases[] = {
+        {65536, 64, 0, QV_OK},     {65537, 64, 0, QV_ERROR_UNIT},
+        {65536, 512, 3, QV_OK},    {65537, 512, 3, QV_ERROR_UNIT},
+        {65536, 65536, 10, QV_OK}, {65536, 0, 11, QV_ERROR_UNIT},
+    };
+    (void)state;
+
+    expect_ratios(qv_medium_corrected, cases, sizeof cases / sizeof *cases);
 }
 
 /* ---- Extinction ---- */
@@ -96,18 +116,18 @@ static void extinctions_have_limits(void **state)
         for (uint8_t storage = QV_STORAGE_RGBT8; storage <= QV_STORAGE_INDEXED8_T16; storage++) {
             const uint32_t step = (uint32_t)1 << (22 - levels);
             lengths of = {step, 0, 0xFFFFFFFF, storage, levels};
-            expect(qv_prepare_extinction, &of, QV_OK); /* 2^22 less 2^-32 of it */
+            expect(qv_medium_extinction, &of, QV_OK); /* 2^22 less 2^-32 of it */
             of.step++;
-            expect(qv_prepare_extinction, &of, QV_ERROR_EXTINCTION);
+            expect(qv_medium_extinction, &of, QV_ERROR_EXTINCTION);
             of.step = step * 2;
             of.extinction = 0x80000000u;
-            expect(qv_prepare_extinction, &of, QV_ERROR_EXTINCTION);
+            expect(qv_medium_extinction, &of, QV_ERROR_EXTINCTION);
             of.extinction--;
-            expect(qv_prepare_extinction, &of, QV_OK);
+            expect(qv_medium_extinction, &of, QV_OK);
             of.extinction = 0;
-            expect(qv_prepare_extinction, &of, QV_ERROR_EXTINCTION);
+            expect(qv_medium_extinction, &of, QV_ERROR_EXTINCTION);
             of.extinction = of.step = 1;
-            expect(qv_prepare_extinction, &of, QV_OK);
+            expect(qv_medium_extinction, &of, QV_OK);
         }
 }
 
@@ -117,12 +137,11 @@ static void converted_opacity_has_the_same_limit(void **state)
     lengths of = {4096, 1, 0, QV_STORAGE_RGBA8, 3};
     (void)state;
 
-    expect(qv_prepare_converted, &of, QV_OK);
+    expect(qv_medium_converted, &of, QV_OK);
     of.levels = 4;
-    expect(qv_prepare_converted, &of, QV_ERROR_EXTINCTION);
+    expect(qv_medium_converted, &of, QV_ERROR_EXTINCTION);
     of.step--;
-    expect(qv_prepare_converted, &of, QV_OK);
-    expect(qv_prepare_corrected, &of, QV_OK);
+    expect(qv_medium_converted, &of, QV_OK);
 }
 
 /* ---- Contexts ---- */
@@ -188,9 +207,9 @@ static void steps_are_those_of_real_numbers(void **state)
         const lengths of = random_lengths(&seed);
         const double ratio = (double)of.step / of.unit;
         const double depth = ldexp((double)of.extinction * of.step, -32);
-        if (ratio <= 4096 && ratio * 64 < 0x1p20) {
-            const qv_medium corrected = medium_of(qv_prepare_corrected, &of);
-            const qv_medium converted = medium_of(qv_prepare_converted, &of);
+        if (ratio * 4 <= 1024) {
+            const qv_medium corrected = medium_of(qv_medium_corrected, &of);
+            const qv_medium converted = medium_of(qv_medium_converted, &of);
             assert_true(fabs(ldexp((double)corrected.depth, -32) - ratio) <= 0x1p-32);
             assert_true(fabs(ldexp((double)converted.depth, -39) / ratio - 1) < 0x1p-15);
             assert_true((double)converted.depth >= ldexp(ratio, 39) - 128);
@@ -198,7 +217,7 @@ static void steps_are_those_of_real_numbers(void **state)
             expect_light(&converted, ratio * 64 * log(2), 64 * 0x1p-33, of.levels);
         }
         if (depth < 0x1p20) {
-            const qv_medium stored = medium_of(qv_prepare_extinction, &of);
+            const qv_medium stored = medium_of(qv_medium_extinction, &of);
             const double of_1 = ldexp((double)stored.depth * units_of_1(of.storage), -64);
             assert_true(fabs(of_1 - depth) <= depth * 0x1p-30 + 0x1p-30);
             expect_light(&stored, depth * log(2), 0, of.levels);
@@ -219,7 +238,7 @@ static void pieces_are_in_proportion(void **state)
         qv_medium whole, part;
         of.extinction >>= 8;
         of.extinction |= 1;
-        const qv_medium step = medium_of(qv_prepare_extinction, &of);
+        const qv_medium step = medium_of(qv_medium_extinction, &of);
         const uint32_t most = (uint32_t)QV_ONE_Q16 << of.levels;
         const uint32_t length = (1 + random_below(&seed, most / 2)) * 2;
         qv_medium_scale(&whole, &step, QV_ONE_Q16);
@@ -238,6 +257,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unit_distances_have_limits),
+        cmocka_unit_test(corrected_lengths_have_a_limit),
         cmocka_unit_test(extinctions_have_limits),
         cmocka_unit_test(converted_opacity_has_the_same_limit),
         cmocka_unit_test(contexts_are_left_alone_on_error),

@@ -18,18 +18,17 @@
 
 /* ---- The medium --------------------------------------------------------------- */
 
-typedef qv_status preparation(qv_context *context, const qv_scene *scene);
+typedef qv_status preparation(qv_medium *medium, const qv_scene *scene, unsigned levels);
 
 /* The medium of a step in S57. */
-static qv_medium medium_of(preparation *prepare, uint8_t storage, const qv_pyramid *pyramid)
+static qv_medium medium_of(preparation *prepare, uint8_t storage, unsigned levels)
 {
-    qv_context context;
+    qv_medium medium;
     const qv_scene scene = {
-        .pyramid = pyramid,
         .volume = {.storage = storage, .unit_distance = 32768, .extinction = 123456},
         .camera = {.step = 49152}};
-    assert_int_equal(prepare(&context, &scene), QV_OK);
-    return context.medium;
+    assert_int_equal(prepare(&medium, &scene, levels), QV_OK);
+    return medium;
 }
 
 static void expect_medium(const qv_medium *medium, uint64_t depth, uint32_t light, uint32_t shift)
@@ -49,9 +48,8 @@ static qv_medium scaled(const qv_medium *step, uint32_t length)
 
 static void S57_corrected(void **state)
 {
-    static const qv_pyramid three = {.levels = 3};
-    const qv_medium step = medium_of(qv_prepare_corrected, QV_STORAGE_RGBA8, NULL);
-    const qv_medium levels = medium_of(qv_prepare_corrected, QV_STORAGE_RGBA8, &three);
+    const qv_medium step = medium_of(qv_medium_corrected, QV_STORAGE_RGBA8, 0);
+    const qv_medium levels = medium_of(qv_medium_corrected, QV_STORAGE_RGBA8, 3);
     const qv_medium piece = scaled(&step, 12346);
     (void)state;
     expect_medium(&step, 0x180000000, 0xC0000000, 1);
@@ -61,8 +59,8 @@ static void S57_corrected(void **state)
 
 static void S57_extinction(void **state)
 {
-    const qv_medium narrow = medium_of(qv_prepare_extinction, QV_STORAGE_RGBT8, NULL);
-    const qv_medium wide = medium_of(qv_prepare_extinction, QV_STORAGE_INDEXED8_T16, NULL);
+    const qv_medium narrow = medium_of(qv_medium_extinction, QV_STORAGE_RGBT8, 0);
+    const qv_medium wide = medium_of(qv_medium_extinction, QV_STORAGE_INDEXED8_T16, 0);
     const qv_medium pieces[2] = {scaled(&narrow, 12346), scaled(&wide, 12346)};
     (void)state;
     expect_medium(&narrow, 0x16B1B1B1B19, 0x7D59F11E, 1);
@@ -73,9 +71,8 @@ static void S57_extinction(void **state)
 
 static void S57_converted(void **state)
 {
-    static const qv_pyramid three = {.levels = 3};
-    const qv_medium step = medium_of(qv_prepare_converted, QV_STORAGE_RGBA16, NULL);
-    const qv_medium levels = medium_of(qv_prepare_converted, QV_STORAGE_RGBA16, &three);
+    const qv_medium step = medium_of(qv_medium_converted, QV_STORAGE_RGBA16, 0);
+    const qv_medium levels = medium_of(qv_medium_converted, QV_STORAGE_RGBA16, 3);
     const qv_medium piece = scaled(&step, 12346);
     (void)state;
     expect_medium(&step, 0xC000001800, 0x851591FA, 7);
@@ -255,7 +252,7 @@ static void S59_by_bspline(void **state)
 static void expect_corrected(const qv_sample *sample, unsigned storage, uint32_t length,
                              const uint32_t expected[4])
 {
-    const qv_medium step = medium_of(qv_prepare_corrected, (uint8_t)storage, NULL);
+    const qv_medium step = medium_of(qv_medium_corrected, (uint8_t)storage, 0);
     const qv_medium piece = scaled(&step, length);
     uint32_t colour[3];
     assert_int_equal(qv_correct(colour, sample, &piece, storage), expected[0]);
@@ -320,8 +317,8 @@ static void S61_stored_extinction(void **state)
     const entries all = corners();
     const qv_sample of8 = sample_corners(qv_sample_weighted, QV_STORAGE_RGBA8, &all);
     const qv_sample of16 = sample_corners(qv_sample_weighted, QV_STORAGE_RGBA16, &all);
-    const qv_medium step8 = medium_of(qv_prepare_extinction, QV_STORAGE_RGBT8, NULL);
-    const qv_medium step16 = medium_of(qv_prepare_extinction, QV_STORAGE_RGBT16, NULL);
+    const qv_medium step8 = medium_of(qv_medium_extinction, QV_STORAGE_RGBT8, 0);
+    const qv_medium step16 = medium_of(qv_medium_extinction, QV_STORAGE_RGBT16, 0);
     (void)state;
     for (int back = 0; back < 2; back++) {
         expect_gathered(&of8, &step8, back, narrow[back]);
@@ -338,7 +335,7 @@ static void S61_stored_opacity(void **state)
     const entries all = corners();
     const qv_sample of8 = sample_corners(qv_sample_converted, QV_STORAGE_RGBA8, &all);
     const qv_sample of16 = sample_corners(qv_sample_converted, QV_STORAGE_RGBA16, &all);
-    const qv_medium step = medium_of(qv_prepare_converted, QV_STORAGE_RGBA8, NULL);
+    const qv_medium step = medium_of(qv_medium_converted, QV_STORAGE_RGBA8, 0);
     (void)state;
     for (int back = 0; back < 2; back++) {
         expect_gathered(&of8, &step, back, narrow[back]);
@@ -359,11 +356,12 @@ static void S63_blended_samples(void **state)
     (void)state;
     qv_clear_sample(&nothing);
     qv_blend_samples(&weighted, &nearest, 0x12345678);
-    expect_sample(&weighted, 4477274, 109125444, 827760328, 191877679);
+    expect_sample(&weighted, 4477274, 109125445, 827760329, 191877679);
     qv_blend_samples(&converted, &thin, 0x12345678);
     expect_scaled(&converted, 4, 240901142, 24359839, 170652022, 46584507);
     qv_blend_samples(&nothing, &thin, 0x80000000u);
     expect_scaled(&nothing, 13, 169776099, 20639132, 109853446, 41944043);
+    assert_int_equal(qv_blend(65536 * 255, 65536 * 255, 32768), 16711680); /* both products tie */
 }
 
 int main(void)

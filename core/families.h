@@ -1,0 +1,30 @@
+/*
+ * families.h - the families of modes that weigh by length: how they sample, and what they
+ * make of samples.
+ */
+#ifndef QV_FAMILIES_H
+#define QV_FAMILIES_H
+
+#include "bspline.h"
+#include "correct.h"
+
+typedef struct qv_family {
+    qv_mode *mode;
+    qv_model *under, *over;
+    int gathers; /* whether light is gathered beside qv_light */
+} qv_family;
+
+static const qv_family qv_family_corrected = {qv_sample_weighted, qv_corrected_under,
+                                              qv_corrected_over, 0};
+static const qv_family qv_family_extinction = {qv_sample_weighted, qv_extinction_under,
+                                               qv_extinction_over, 1};
+static const qv_family qv_family_converted = {qv_sample_converted, qv_extinction_under,
+                                              qv_extinction_over, 1};
+static const qv_family qv_family_bspline_corrected = {qv_bspline_weighted, qv_corrected_under,
+                                                      qv_corrected_over, 0};
+static const qv_family qv_family_bspline_extinction = {qv_bspline_weighted, qv_extinction_under,
+                                                       qv_extinction_over, 1};
+static const qv_family qv_family_bspline_converted = {qv_bspline_converted, qv_extinction_under,
+                                                      qv_extinction_over, 1};
+
+#endif /* QV_FAMILIES_H */
