@@ -10,17 +10,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* May not move: the volume points into it. */
 typedef struct levels {
     qv_volume volume;
     qv_pyramid pyramid;
     uint8_t *voxels, *coarser;
+    uint16_t palette[QV_PALETTE_ENTRIES][4]; /* of indexed storage */
 } levels;
 
 /* A volume that is clear at first, x fastest, without a pyramid. */
 static inline void levels_begin(levels *made, uint8_t storage, const uint16_t size[3])
 {
+    const int32_t entry = ref_is_wide(storage) ? 8 : 4;
+    int32_t stride = ref_is_indexed(storage) ? 1 : entry;
     qv_volume *volume = &made->volume;
-    int32_t stride = ref_is_wide(storage) ? 8 : 4;
     memset(made, 0, sizeof *made);
     for (int axis = 0; axis < 3; axis++) {
         volume->size[axis] = size[axis];
@@ -30,6 +33,10 @@ static inline void levels_begin(levels *made, uint8_t storage, const uint16_t si
     volume->storage = storage;
     volume->unit_distance = QV_ONE_Q16;
     volume->voxels_bytes = (uint64_t)stride;
+    if (ref_is_indexed(storage)) {
+        volume->palette = (qv_address)made->palette;
+        volume->palette_bytes = (uint32_t)(QV_PALETTE_ENTRIES * entry);
+    }
     made->voxels = calloc((size_t)stride, 1);
     assert_true(made->voxels != NULL);
     volume->voxels = made->voxels;
