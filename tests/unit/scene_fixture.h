@@ -20,6 +20,7 @@ enum {
     FIXTURE_NY = 5,
     FIXTURE_NZ = 4,
     FIXTURE_VOXELS = FIXTURE_NX * FIXTURE_NY * FIXTURE_NZ,
+    FIXTURE_COARSER = 3 * 3 * 2 + 2 * 2 * 1 + 1, /* voxels of all coarser levels */
     FIXTURE_WIDTH = 17,
     FIXTURE_HEIGHT = 13,
     FIXTURE_POISON = 0xA5
@@ -33,6 +34,8 @@ typedef struct fixture {
     qv_transfer palette16;
     uint8_t palette8[QV_PALETTE_ENTRIES][4];
     uint16_t voxels[FIXTURE_VOXELS * 4]; /* bytes for 8-bit storage */
+    qv_pyramid pyramid;
+    uint16_t coarser[FIXTURE_COARSER * 4];
 } fixture;
 
 static const qv_rect fixture_frame = {0, 0, FIXTURE_WIDTH, FIXTURE_HEIGHT};
@@ -65,17 +68,25 @@ static inline void fixture_clip(qv_ray *ray, const uint16_t size[3], int32_t fir
 
 /* ---- Volumes ------------------------------------------------------------ */
 
+/* The storage with opacity for extinction, which looks the same in memory. */
+static inline uint8_t fixture_with_opacity(uint8_t storage)
+{
+    return storage < QV_STORAGE_RGBT8 ? storage : (uint8_t)(storage - QV_STORAGE_INDEXED8_16);
+}
+
 static inline int32_t fixture_voxel_bytes(uint8_t storage)
 {
-    if (storage == QV_STORAGE_RGBA16)
+    const uint8_t with_opacity = fixture_with_opacity(storage);
+    if (with_opacity == QV_STORAGE_RGBA16)
         return 8;
-    return storage == QV_STORAGE_RGBA8 ? 4 : 1;
+    return with_opacity == QV_STORAGE_RGBA8 ? 4 : 1;
 }
 
 /* A third of the opacities 0, the others at most a quarter. */
 static inline void fixture_random(fixture *f, uint32_t seed)
 {
     uint8_t *bytes = (uint8_t *)f->voxels;
+    const uint8_t storage = fixture_with_opacity(f->scene.volume.storage);
     for (unsigned i = 0; i < QV_PALETTE_ENTRIES * 4; i++) {
         uint32_t level = random_next(&seed) >> 16;
         if (i % 4 == 3)
@@ -85,19 +96,20 @@ static inline void fixture_random(fixture *f, uint32_t seed)
     }
     for (unsigned i = 0; i < FIXTURE_VOXELS; i++) {
         const uint32_t entry = random_below(&seed, QV_PALETTE_ENTRIES);
-        if (f->scene.volume.storage == QV_STORAGE_RGBA8)
+        if (storage == QV_STORAGE_RGBA8)
             memcpy(&bytes[4 * i], f->palette8[entry], 4);
-        else if (f->scene.volume.storage == QV_STORAGE_RGBA16)
+        else if (storage == QV_STORAGE_RGBA16)
             memcpy(&f->voxels[4 * i], f->palette16.rgba[entry], 8);
         else
             bytes[i] = (uint8_t)entry;
     }
 }
 
-/* A packed volume, x fastest. */
+/* A packed volume, x fastest; of stored extinction, up to a depth of 2 a voxel. */
 static inline void fixture_volume(fixture *f, uint8_t storage, uint32_t seed)
 {
     const int32_t bytes = fixture_voxel_bytes(storage);
+    const uint8_t with_opacity = fixture_with_opacity(storage);
     qv_volume *volume = &f->scene.volume;
     memset(volume, 0, sizeof *volume);
     volume->voxels = (qv_address)f->voxels;
@@ -109,12 +121,34 @@ static inline void fixture_volume(fixture *f, uint8_t storage, uint32_t seed)
     volume->size[1] = FIXTURE_NY;
     volume->size[2] = FIXTURE_NZ;
     volume->storage = storage;
-    if (storage == QV_STORAGE_INDEXED8 || storage == QV_STORAGE_INDEXED8_16) {
-        const int wide = storage == QV_STORAGE_INDEXED8_16;
+    volume->extinction = 8 * QV_ONE_Q16;
+    if (with_opacity == QV_STORAGE_INDEXED8 || with_opacity == QV_STORAGE_INDEXED8_16) {
+        const int wide = with_opacity == QV_STORAGE_INDEXED8_16;
         volume->palette = wide ? (qv_address)&f->palette16 : (qv_address)f->palette8;
         volume->palette_bytes = wide ? QV_PALETTE16_BYTES : QV_PALETTE8_BYTES;
     }
     fixture_random(f, seed);
+}
+
+/* All coarser levels of the volume, for as long as the fixture stays where it is. */
+static inline void fixture_add_pyramid(fixture *f)
+{
+    const uint8_t levels = qv_pyramid_levels(f->scene.volume.size);
+    f->pyramid.voxels = (qv_address)f->coarser;
+    f->pyramid.bytes = sizeof f->coarser;
+    f->pyramid.levels = levels;
+    f->scene.pyramid = &f->pyramid;
+    for (unsigned number = 1; number <= levels; number++) {
+        qv_volume finer, level;
+        assert_int_equal(
+            qv_pyramid_level(&finer, &f->scene.volume, &f->pyramid, (uint8_t)(number - 1)), QV_OK);
+        assert_int_equal(qv_pyramid_level(&level, &f->scene.volume, &f->pyramid, (uint8_t)number),
+                         QV_OK);
+        uint8_t *to = (uint8_t *)f->coarser + (level.voxels - f->pyramid.voxels);
+        assert_int_equal(qv_downsample(to, (size_t)level.voxels_bytes, &finer, &qv_filter_box4,
+                                       &qv_domain_stored, 0, level.size[2]),
+                         QV_OK);
+    }
 }
 
 /* ---- Views -------------------------------------------------------------- */

@@ -3,9 +3,10 @@
  * pixels are known, and what formats are given to store.
  */
 #include "check.h"
+#include "length_samplings.h"
 #include "pixels.h"
-#include "ray.h"
 #include "scene_fixture.h"
+#include "stretch.h"
 
 #include <stdlib.h>
 
@@ -106,6 +107,32 @@ static void parts_give_the_bytes_of_the_whole(void **state)
     }
 }
 
+/* Modes that weigh by length, in turn, with thresholds that end rays. */
+static void parts_by_length(void **state)
+{
+    static const int32_t sizes[][2] = {{SIDE, 8}, {8, SIDE}, {5, 7}};
+    static picture expected, parts;
+    (void)state;
+
+    for (unsigned i = 0; i < 3 * LENGTH_SAMPLINGS; i++) {
+        const length_sampling *of = &length_samplings[i % LENGTH_SAMPLINGS];
+        const qv_sampling *const modes[3] = {of->front, of->back, of->levels};
+        fixture_make(&f, modes[i / LENGTH_SAMPLINGS], i + 1);
+        fixture_add_pyramid(&f);
+        fixture_aim(&f, i % 2 != 0 ? QUARTER_TURN : 0);
+        f.scene.level = (uint16_t)(i * 7);
+        f.scene.level_distance = i % 2 * 4;
+        f.scene.termination = 10000;
+        begin(&expected, &qv_format_rgba8888, 0);
+        render_parts(&expected, SIDE, SIDE);
+        for (unsigned s = 0; s < 3; s++) {
+            begin(&parts, &qv_format_rgba8888, 0);
+            render_parts(&parts, sizes[s][0], sizes[s][1]);
+            assert_memory_equal(parts.bytes, expected.bytes, BYTES);
+        }
+    }
+}
+
 /* Row by row from the bottom is the picture from the top upside down. */
 static void rows_may_run_upwards(void **state)
 {
@@ -182,7 +209,7 @@ static void make_uniform(const qv_sampling *sampling, const uint8_t rgba[4])
     static const uint8_t background[4] = {10, 20, 30, 255};
     fixture_make(&f, sampling, 1);
     for (unsigned i = 0; i < FIXTURE_VOXELS * 4; i++) {
-        if (sampling->storage == QV_STORAGE_RGBA8)
+        if (fixture_with_opacity(sampling->storage) == QV_STORAGE_RGBA8)
             ((uint8_t *)f.voxels)[i] = rgba[i % 4];
         else
             f.voxels[i] = (uint16_t)(rgba[i % 4] * 257);
@@ -214,6 +241,55 @@ static void opaque_is_exactly_opaque(void **state)
             make_uniform(plain_modes[i], colours[c]);
             expect_pixels(colours[c], 1);
             expect_pixels(background, 0);
+        }
+}
+
+/* Full opacity or extinction of a depth of 64 for a 64th of a step: of ways that are as
+   long, nothing of the background is left. */
+static void opaque_by_length(void **state)
+{
+    static const uint8_t colour[4] = {255, 100, 0, 255};
+    static fixture_pixels pixels;
+    (void)state;
+
+    for (unsigned i = 0; i < LENGTH_SAMPLINGS; i++) {
+        const length_sampling *of = &length_samplings[i];
+        uint32_t compared = 0;
+        if (i % STORAGES >= 2)
+            continue;
+        make_uniform(i % 3 == 0 ? of->back : of->front, colour);
+        f.scene.volume.unit_distance = f.scene.camera.step / 64;
+        f.scene.volume.extinction = 8192 * QV_ONE_Q16;
+        const qv_context context = fixture_context(&f);
+        fixture_render(pixels, &f);
+        for (int32_t y = 0; y < FIXTURE_HEIGHT; y++)
+            for (int32_t x = 0; x < FIXTURE_WIDTH; x++) {
+                qv_ray ray;
+                context.scene.camera.projection->ray(&ray, &context, x, y);
+                qv_path_clip(&ray, &context);
+                if (ray.leave - ray.enter < QV_STEP / 64)
+                    continue;
+                compared++;
+                assert_memory_equal(pixels[y][x], colour, 4);
+            }
+        assert_true(compared > 20);
+    }
+}
+
+static void transparent_by_length(void **state)
+{
+    static const uint8_t bright[4] = {255, 255, 255, 0};
+    static const uint8_t background[4] = {10, 20, 30, 255};
+    (void)state;
+
+    for (unsigned i = 0; i < LENGTH_SAMPLINGS; i++)
+        if (i % STORAGES < 2) {
+            make_uniform(i % 3 == 0 ? length_samplings[i].back : length_samplings[i].front, bright);
+            expect_pixels(background, 1);
+            make_uniform(length_samplings[i].levels, bright);
+            fixture_add_pyramid(&f);
+            f.scene.level = 300;
+            expect_pixels(background, 1);
         }
 }
 
@@ -276,10 +352,13 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parts_give_the_bytes_of_the_whole),
+        cmocka_unit_test(parts_by_length),
         cmocka_unit_test(rows_may_run_upwards),
         cmocka_unit_test(pieces_give_the_bytes_of_the_whole),
         cmocka_unit_test(opaque_is_exactly_opaque),
         cmocka_unit_test(transparent_is_the_background),
+        cmocka_unit_test(opaque_by_length),
+        cmocka_unit_test(transparent_by_length),
         cmocka_unit_test(colours_stay_below_their_opacity),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

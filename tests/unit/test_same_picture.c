@@ -3,6 +3,7 @@
  * orders of compositing, and the grid of samples moved.
  */
 #include "check.h"
+#include "length_samplings.h"
 #include "ray.h"
 #include "scene_fixture.h"
 
@@ -78,6 +79,55 @@ static void wide_voxels_agree_with_narrow_ones(void **state)
         }
 }
 
+/* ---- Storages, of modes that weigh by length ---- */
+
+/* A scene of a mode that weighs by length, for a unit distance of two steps. */
+static void make_by_length(fixture *f, const qv_sampling *sampling, uint32_t seed)
+{
+    fixture_make(f, sampling, seed);
+    f->scene.volume.unit_distance = 2 * f->scene.camera.step;
+    fixture_aim(f, seed % 2 * QUARTER_TURN);
+}
+
+static void make_pair(const qv_sampling *of_a, const qv_sampling *of_b, uint32_t seed)
+{
+    make_by_length(&a, of_a, seed);
+    make_by_length(&b, of_b, seed);
+}
+
+/* Pyramids of a palette hold its colours. */
+static void palettes_by_length(void **state)
+{
+    (void)state;
+
+    for (unsigned i = 0; i < LENGTH_SAMPLINGS; i++)
+        for (uint32_t seed = 1; seed < 4 && i % STORAGES < 2; seed++) {
+            const length_sampling *colours = &length_samplings[i], *palette = colours + 2;
+            make_pair(colours->front, palette->front, seed);
+            assert_int_equal(difference(), 0);
+            make_pair(colours->back, palette->back, seed);
+            assert_int_equal(difference(), 0);
+            make_pair(colours->levels, palette->levels, seed);
+            fixture_add_pyramid(&a);
+            fixture_add_pyramid(&b);
+            a.scene.level = b.scene.level = (uint16_t)(seed * 100);
+            assert_int_equal(difference(), 0);
+        }
+}
+
+static void wide_voxels_by_length(void **state)
+{
+    (void)state;
+
+    for (unsigned i = 0; i < LENGTH_SAMPLINGS; i += STORAGES)
+        for (uint32_t seed = 1; seed < 20; seed++) {
+            make_pair(length_samplings[i].front, length_samplings[i + 1].front, seed);
+            for (unsigned c = 0; c < FIXTURE_VOXELS * 4; c++)
+                b.voxels[c] = (uint16_t)(((uint8_t *)a.voxels)[c] * 257);
+            assert_in_range(difference(), 0, 1);
+        }
+}
+
 /* ---- Layouts ---- */
 
 /* Lays b's volume out anew: axes from the fastest to the slowest, each forwards or
@@ -129,6 +179,21 @@ static void every_layout_gives_the_same_picture(void **state)
             }
 }
 
+static void every_layout_by_length(void **state)
+{
+    static const unsigned orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
+                                          {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    static uint16_t memory[4096];
+    (void)state;
+
+    for (unsigned i = 0; i < LENGTH_SAMPLINGS; i++)
+        for (unsigned o = 0; o < 6; o++) {
+            make_pair(length_samplings[i].front, length_samplings[i].front, 7);
+            rearrange((uint8_t *)memory, orders[o], (i + o) % 8);
+            assert_int_equal(difference(), 0);
+        }
+}
+
 /* Bytes may stand at any address. */
 static void narrow_voxels_need_no_alignment(void **state)
 {
@@ -168,6 +233,53 @@ static void both_orders_agree(void **state)
             fixture_aim(&b, seed % 2 * QUARTER_TURN);
             assert_in_range(difference(), 0, 1);
         }
+}
+
+static void both_orders_by_length(void **state)
+{
+    (void)state;
+
+    for (unsigned i = 0; i < LENGTH_SAMPLINGS; i++)
+        for (uint32_t seed = 1; seed < 12; seed++) {
+            make_pair(length_samplings[i].front, length_samplings[i].back, seed);
+            assert_in_range(difference(), 0, 1);
+        }
+}
+
+/* ---- Lengths ---- */
+
+/* Extinction of a world unit and opacity for it say the same. */
+static void extinction_is_depth_of_opacity(void **state)
+{
+    (void)state;
+
+    for (uint32_t seed = 1; seed < 12; seed++) {
+        qv_entries opacities = {.count = FIXTURE_VOXELS, .storage = QV_STORAGE_RGBA16};
+        make_pair(&qv_extinction_rgba16, &qv_extinction_rgbt16, seed);
+        opacities.entries = (qv_address)a.voxels;
+        opacities.unit_distance = a.scene.volume.unit_distance;
+        b.scene.volume.extinction = QV_ONE_Q16;
+        assert_int_equal(qv_opacity_to_extinction(b.voxels, sizeof b.voxels, QV_STORAGE_RGBT16,
+                                                  QV_ONE_Q16, &opacities),
+                         QV_OK);
+        assert_in_range(difference(), 0, 1);
+    }
+}
+
+/* The same box and the same medium in world units: voxels of another spacing. */
+static void spacings_only_scale(void **state)
+{
+    (void)state;
+
+    for (unsigned i = 0; i < LENGTH_SAMPLINGS; i++) {
+        make_pair(length_samplings[i].front, length_samplings[i].front, 9);
+        for (unsigned axis = 0; axis < 3; axis++)
+            b.scene.volume.spacing[axis] = 2 * QV_ONE_Q16;
+        b.scene.volume.extinction /= 2;
+        b.scene.volume.unit_distance *= 2;
+        b.scene.camera.step *= 2;
+        assert_int_equal(difference(), 0);
+    }
 }
 
 /* ---- The grid of samples ---- */
@@ -236,9 +348,15 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_palette_gives_the_picture_of_its_colours),
         cmocka_unit_test(wide_voxels_agree_with_narrow_ones),
+        cmocka_unit_test(palettes_by_length),
+        cmocka_unit_test(wide_voxels_by_length),
         cmocka_unit_test(every_layout_gives_the_same_picture),
+        cmocka_unit_test(every_layout_by_length),
         cmocka_unit_test(narrow_voxels_need_no_alignment),
         cmocka_unit_test(both_orders_agree),
+        cmocka_unit_test(both_orders_by_length),
+        cmocka_unit_test(extinction_is_depth_of_opacity),
+        cmocka_unit_test(spacings_only_scale),
         cmocka_unit_test(a_phase_moves_the_samples),
         cmocka_unit_test(a_whole_step_changes_nothing),
         cmocka_unit_test(values_are_clamped_at_the_edge),

@@ -3,6 +3,7 @@
  * what a context holds.
  */
 #include "check.h"
+#include "length_samplings.h"
 #include "scene_fixture.h"
 
 static fixture f;
@@ -112,7 +113,25 @@ static void modes_of_another_storage(void **state)
         }
 }
 
-/* This version does not correct opacities: the unit is the step, named or not. */
+/* The same for the modes that weigh by length, in both orders and through a pyramid. */
+static void lengths_of_another_storage(void **state)
+{
+    (void)state;
+
+    for (unsigned i = 0; i < LENGTH_SAMPLINGS; i++)
+        for (unsigned j = 0; j < LENGTH_SAMPLINGS; j++) {
+            const qv_sampling *const modes[3] = {
+                length_samplings[j].front, length_samplings[j].back, length_samplings[j].levels};
+            fixture_make(&f, length_samplings[i].front, 1);
+            fixture_add_pyramid(&f);
+            for (unsigned m = 0; m < 3; m++) {
+                scene->sampling = modes[m];
+                expect(modes[m]->storage == scene->volume.storage ? QV_OK : QV_ERROR_STORAGE);
+            }
+        }
+}
+
+/* Weighted samples are not corrected: the unit is the step, named or not. */
 static void unit_distances_other_than_the_step(void **state)
 {
     (void)state;
@@ -151,6 +170,26 @@ static void modes_read_the_storage_of_their_name(void **state)
         assert_int_equal(modes[i / 6][i % 6]->storage, QV_STORAGE_RGBA8 + i / 6);
         for (unsigned j = 0; j < i; j++)
             assert_true(modes[i / 6][i % 6]->march != modes[j / 6][j % 6]->march);
+    }
+}
+
+/* Those that weigh by length are of storages with opacity, then with extinction. */
+static void lengths_read_the_storage_of_their_name(void **state)
+{
+    const qv_sampling *seen[LENGTH_SAMPLINGS * 3];
+    unsigned count = 0;
+    (void)state;
+
+    for (unsigned i = 0; i < LENGTH_SAMPLINGS; i++) {
+        const qv_sampling *const modes[3] = {length_samplings[i].front, length_samplings[i].back,
+                                             length_samplings[i].levels};
+        const unsigned first = i < 4 * STORAGES ? QV_STORAGE_RGBA8 : QV_STORAGE_RGBT8;
+        for (unsigned m = 0; m < 3; m++) {
+            assert_int_equal(modes[m]->storage, first + i % STORAGES);
+            for (unsigned j = 0; j < count; j++)
+                assert_true(seen[j]->march != modes[m]->march);
+            seen[count++] = modes[m];
+        }
     }
 }
 
@@ -209,8 +248,10 @@ int main(void)
         cmocka_unit_test(cameras_are_checked),
         cmocka_unit_test(views_that_make_no_camera),
         cmocka_unit_test(modes_of_another_storage),
+        cmocka_unit_test(lengths_of_another_storage),
         cmocka_unit_test(unit_distances_other_than_the_step),
         cmocka_unit_test(modes_read_the_storage_of_their_name),
+        cmocka_unit_test(lengths_read_the_storage_of_their_name),
         cmocka_unit_test(contexts_may_be_moved),
         cmocka_unit_test(the_background_is_associated),
     };
