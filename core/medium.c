@@ -5,7 +5,7 @@
 /* Powers of 2: of step to unit distance, either way; of the coarsest level's step to it; and
    of the full value's depth for that step. */
 #define MOST_RATIO_BITS 12
-#define MOST_LEVEL_BITS 10
+#define MOST_LEVEL_BITS 11
 #define MOST_DEPTH_BITS 22
 
 #define ONE_Q32 ((uint64_t)1 << 32)

@@ -359,7 +359,7 @@ extern const qv_sampling qv_weighted_indexed8_back_to_front, qv_weighted_indexed
  * opacity is within 2^-27, times the ratio of length to unit distance where that is above
  * 1; corrected colour within 2^-15 of itself.
  *
- * The unit distance may be 2^-12 .. 2^12 steps, and in corrected modes at least 2^-10
+ * The unit distance may be 2^-12 .. 2^12 steps, and in corrected modes at least 2^-11
  * steps of the coarsest level (else QV_ERROR_UNIT). The full value's depth for a step, of
  * the coarsest level, is above 0 and below 2^22 (else QV_ERROR_EXTINCTION).
  */

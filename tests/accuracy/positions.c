@@ -187,6 +187,7 @@ static void compare_ray(distances *worst, const qv_scene *scene, const ref_view 
     qv_ray ray;
     ref_ray ideal;
     scene->camera.projection->ray(&ray, context, x, y);
+    qv_ray_clip(&ray, context);
     ref_ideal_ray(&ideal, scene, view, x, y);
     if (ray.samples == 0 || ideal.count == 0) {
         worst->lost += ideal.count > CERTAIN;

@@ -13,8 +13,9 @@
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
-#define LONGEST   1024 /* voxels */
-#define CUBE_EDGE 40   /* world units of a slab that is seen askew */
+#define LONGEST     1024 /* voxels */
+#define MOST_LEVELS 9    /* with steps up to 4 a piece is then at most 2^11 unit distances long */
+#define CUBE_EDGE   40   /* world units of a slab that is seen askew */
 
 /* World units. */
 static const double steps[] = {1.0 / 8, 1.0 / 4, 1.0 / 2, 1, 2, 3, 4, 0.3, 1.37, 3.7};
@@ -95,6 +96,9 @@ static bool make_slab(slab *made, const slab_kind *kind, uint8_t storage, double
     made->volume.unit_distance = QV_ONE_Q16;
     made->pyramid.voxels = made->coarser;
     made->pyramid.levels = qv_pyramid_levels(made->volume.size);
+    if (made->pyramid.levels > MOST_LEVELS) {
+        made->pyramid.levels = MOST_LEVELS;
+    }
     made->pyramid.bytes = qv_pyramid_bytes(made->volume.size, storage, made->pyramid.levels);
     return true;
 }

@@ -92,13 +92,13 @@ static void unit_distances_have_limits(void **state)
     expect_ratios(qv_medium_converted, converted, sizeof converted / sizeof *converted);
 }
 
-/* At least 2^-10 steps of the coarsest level. */
+/* At least 2^-11 steps of the coarsest level. */
 static void corrected_lengths_have_a_limit(void **state)
 {
     static const limit cases[] = {
-        {65536, 64, 0, QV_OK},     {65537, 64, 0, QV_ERROR_UNIT},
-        {65536, 512, 3, QV_OK},    {65537, 512, 3, QV_ERROR_UNIT},
-        {65536, 65536, 10, QV_OK}, {65536, 0, 11, QV_ERROR_UNIT},
+        {65536, 32, 0, QV_OK},     {65537, 32, 0, QV_ERROR_UNIT},
+        {65536, 256, 3, QV_OK},    {65537, 256, 3, QV_ERROR_UNIT},
+        {65536, 65536, 11, QV_OK}, {65536, 0, 12, QV_ERROR_UNIT},
     };
     (void)state;
 
