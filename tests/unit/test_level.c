@@ -190,6 +190,36 @@ static void empty_levels_count_as_nothing(void **state)
         }
 }
 
+/* Half way between two levels the opacity of a thin medium is half way too, but for where
+   samples lie: on average that goes away. */
+static void blends_lie_between_their_levels(void **state)
+{
+    static const uint16_t levels[3] = {0, 128, 256};
+    (void)state;
+
+    for (unsigned i = 4 * STORAGES; i < LENGTH_SAMPLINGS; i++) {
+        uint8_t opacity[3][FIXTURE_HEIGHT][FIXTURE_WIDTH];
+        int32_t off = 0, worst = 0;
+        fixture_make(&a, length_samplings[i].levels, 60 + i);
+        fixture_add_pyramid(&a);
+        a.scene.volume.extinction = QV_ONE_Q16;
+        for (unsigned l = 0; l < 3; l++) {
+            a.scene.level = levels[l];
+            fixture_render(pixels_a, &a);
+            for (unsigned p = 0; p < FIXTURE_WIDTH * FIXTURE_HEIGHT; p++)
+                (&opacity[l][0][0])[p] = (&pixels_a[0][0][0])[4 * p + 3];
+        }
+        for (unsigned p = 0; p < FIXTURE_WIDTH * FIXTURE_HEIGHT; p++) {
+            const int32_t ends = (&opacity[0][0][0])[p] + (&opacity[2][0][0])[p];
+            const int32_t twice = 2 * (&opacity[1][0][0])[p] - ends;
+            off += twice;
+            worst = abs(twice) > worst ? abs(twice) : worst;
+        }
+        assert_in_range(worst, 0, 5);
+        assert_in_range(abs(off), 0, 60);
+    }
+}
+
 /* ---- Levels that rise ---- */
 
 /* Each octave is a span, up to the coarsest level. */
@@ -255,6 +285,7 @@ int main(void)
         cmocka_unit_test(a_level_is_a_volume),
         cmocka_unit_test(equal_voxels_look_the_same_on_every_level),
         cmocka_unit_test(empty_levels_count_as_nothing),
+        cmocka_unit_test(blends_lie_between_their_levels),
         cmocka_unit_test(spans_are_octaves),
         cmocka_unit_test(rays_take_fewer_pieces_far_away),
     };
