@@ -51,6 +51,18 @@ static void pyramids_are_checked(void **state)
     expect(QV_ERROR_LEVEL);
 }
 
+static void every_mode_needs_a_pyramid(void **state)
+{
+    (void)state;
+
+    for (unsigned i = 0; i < LENGTH_SAMPLINGS; i++) {
+        fixture_make(&a, length_samplings[i].levels, 1);
+        expect(QV_ERROR_LEVEL);
+        fixture_add_pyramid(&a);
+        expect(QV_OK);
+    }
+}
+
 static void levels_have_limits(void **state)
 {
     (void)state;
@@ -279,6 +291,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pyramids_are_checked),
+        cmocka_unit_test(every_mode_needs_a_pyramid),
         cmocka_unit_test(levels_have_limits),
         cmocka_unit_test(lengths_are_checked_too),
         cmocka_unit_test(level_0_is_the_volume),
