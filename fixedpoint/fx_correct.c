@@ -50,3 +50,12 @@ uint32_t fx_correct_colour(fx_unorm16 opacity, uint32_t ratio)
     uint32_t share = fx_phi_share(depth, fx_depth_scale(depth, ratio));
     return (uint32_t)(fx_wide_product(share, ratio) >> 16);
 }
+
+uint32_t fx_correct_slices(uint32_t opacity, uint32_t slices, uint32_t wanted)
+{
+    if (opacity == 0xFFFFFFFFu || slices == wanted)
+        return opacity;
+    uint64_t ratio = fx_divide((uint64_t)slices << 32, wanted);
+    uint32_t thinner = fx_opacity(fx_depth_times(fx_depth_of_opacity(opacity), ratio));
+    return 2u * thinner - (thinner >> 31); /* Q1.31 to Q0.32: 1 is 2^32 - 1 */
+}
