@@ -28,9 +28,9 @@
 uint32_t fx_hash(uint32_t v);
 
 /*
- * Multiples of the golden ratio: any n in a row lie in n even parts of the circle, near
- * enough. The best for slices that all have opacity; a beat with slices of which only
- * every k-th has (k = 233: 114 levels of 8 bits).
+ * Multiples of the golden ratio: any n in a row part the circle nearly evenly. The best for
+ * slices that all have opacity; but it beats with slices of which only every k-th has,
+ * as for k = 233.
  */
 static inline uint32_t fx_dither_golden(uint32_t slice)
 {
