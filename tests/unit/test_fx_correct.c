@@ -66,6 +66,30 @@ static void depths_scale(void **state)
     assert_true(fx_depth_scale(16, FX_RATIO_LEAST) == 1);
 }
 
+/* slices and wanted: as in the paper's figure 3, the ends, and longer slices. */
+static const uint32_t numbers[][2] = {{128, 275},  {128, 600},      {100, 1000},
+                                      {1, 2},      {200, 100},      {600, 128},
+                                      {999, 1000}, {1, 0x7FFFFFFF}, {65535, 1}};
+
+/* Equation 3 in units of 2^-32, where the bound is 16 (ratio + 1/2) units. */
+static void numbers_of_slices(void **state)
+{
+    (void)state;
+    for (unsigned i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        const double ratio = (double)numbers[i][0] / numbers[i][1];
+        deviation d = {0, 0, 0, 0};
+        for (uint32_t a = 1; a < UINT32_MAX - a / 999; a += 1 + a / 999) {
+            const double exact = -4294967295.0 * expm1(ratio * log1p(a / -4294967295.0));
+            deviation_add(&d, fx_correct_slices(a, numbers[i][0], numbers[i][1]), exact);
+        }
+        assert_true(d.worst <= 16 * (ratio + .5));
+        assert_int_equal(fx_correct_slices(0, numbers[i][0], numbers[i][1]), 0);
+        assert_int_equal(fx_correct_slices(UINT32_MAX, numbers[i][0], numbers[i][1]), UINT32_MAX);
+    }
+    assert_int_equal(fx_correct_slices(123456789, 65535, 65535), 123456789);
+    assert_int_equal(fx_correct_slices(0xFFFF0000u, 65535, 1), UINT32_MAX);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -73,6 +97,7 @@ int main(void)
         cmocka_unit_test(fixed_points),
         cmocka_unit_test(never_falls),
         cmocka_unit_test(depths_scale),
+        cmocka_unit_test(numbers_of_slices),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
