@@ -71,7 +71,7 @@ static inline uint32_t fx_light_of_colour32(uint32_t colour, uint32_t opacity32)
  */
 static inline uint32_t fx_light_of(uint32_t v, uint32_t factor, uint32_t opacity_light)
 {
-    uint32_t light = 2u * fx_high_product(v, factor); /* v <= one + 2^22 < 2^32 */
+    uint32_t light = 2u * fx_high_product(v, factor); /* v <= one + 2^22: below 2^30 */
     return light < opacity_light ? light : opacity_light;
 }
 
@@ -149,7 +149,7 @@ FX_INLINE uint32_t fx_blend_dithered(uint32_t state, uint32_t light, uint32_t op
  * The same for states of 8.16 by an opacity in Q0.32, to nearest, without dither: off by at
  * most 1/2 + 2^-7 of a unit, 2^-17 of a level, a slice.
  *
- * In units of 2^-24: kept <= 255 * 2^24, light / 2^-1 is added, and the two are at most 255 *
+ * In units of 2^-24: kept <= 255 * 2^24, and with twice the light the sum is at most 255 *
  * 2^24 + 2, below 2^32 - 128. v - round(v A) is monotone in v as A < 1. For level c both
  * roundings, of A c here and of light, together are off by at most 3/2 of these units:
  * less than the half unit of 128 that would show. Opacity 2^32 - 1 leaves at most 1 of

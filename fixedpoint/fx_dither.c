@@ -9,7 +9,7 @@ uint32_t fx_hash(uint32_t v)
     return v ^ (v >> 16);
 }
 
-/* floor(n / d) < 2^bits, for d > 0, by shift and subtract: d << b never passes n. */
+/* min(floor(n / d), 2^bits - 1) by shift and subtract: d << bits never passes n. */
 static uint32_t quotient(uint32_t n, uint32_t d, unsigned bits)
 {
     uint32_t q = 0;
@@ -32,12 +32,13 @@ uint32_t fx_phase(const fx_period *period, uint32_t slice)
     return slice - period->slices * quotient(slice, period->slices, 31);
 }
 
-/* With 17 fraction bits, of which the lowest is for the rounding's half. */
+/* With 17 fraction bits, the lowest of which is the rounding's half; 7 bits of the quotient
+   hold any period. */
 uint32_t fx_hits(const fx_period *period, uint32_t opacity, uint32_t base, uint32_t bump)
 {
     uint32_t rest = opacity - (base << 16);                 /* at most 255 * 2^16 */
-    uint32_t n = 2u * period->slices * rest + (bump << 16); /* at most 129 * 255 * 2^16 */
-    uint32_t hits = quotient(n, bump << 17, 15); /* at most 64 * 255 + 1/2, so below 2^15 */
+    uint32_t n = 2u * period->slices * rest + (bump << 16); /* at most 129 * 255 * 2^16 < 2^32 */
+    uint32_t hits = quotient(n, bump << 17, 7);
     return hits < period->slices ? hits : period->slices;
 }
 

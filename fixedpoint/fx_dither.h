@@ -77,7 +77,7 @@ uint32_t fx_phase(const fx_period *period, uint32_t slice);
  * that their mean is the opacity: round(slices * (opacity - base) / bump), ties upwards,
  * and at most slices. The opacity has levels of 8 bits with 16 fraction bits, 0 .. 255 *
  * 65536; base 0 .. opacity, bump 1 .. 255. Unless limited, the mean is off by at most
- * bump / (2 slices).
+ * bump / (2 slices). For bump 0, which base 255 leaves alone, it is slices.
  */
 uint32_t fx_hits(const fx_period *period, uint32_t opacity, uint32_t base, uint32_t bump);
 

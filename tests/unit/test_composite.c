@@ -11,6 +11,7 @@
 #define OPAQUE    0xFFFFFFFFu          /* opacity 1, Q0.32 */
 #define COLOUR8   (65536u * 255 * 255) /* 1 in 8-bit storage */
 #define COLOUR16  (65535u * 65535)     /* 1 in 16-bit storage */
+#define CONVERTED (65535u << 15)       /* 1 of colours weighted by extinction */
 #define ALL_LIGHT 0x80000000u          /* 1 of light, about half of either */
 
 typedef void composite(qv_light *light, const uint32_t sample[3], uint32_t opacity);
@@ -228,6 +229,17 @@ static void read_out_factors(void **state)
     assert_int_equal(QV_READ_OUT_16, (levels + COLOUR16 / 2) / COLOUR16);
 }
 
+/* round(255 * 2^55 / unit): light of slices, as fx_light_of takes it. */
+static void light_factors(void **state)
+{
+    const uint64_t light = (uint64_t)255 << 55;
+    (void)state;
+
+    assert_int_equal(QV_LIGHT_8, (light + COLOUR8 / 2) / COLOUR8);
+    assert_int_equal(QV_LIGHT_16, (light + COLOUR16 / 2) / COLOUR16);
+    assert_int_equal(QV_LIGHT_CONVERTED, (light + CONVERTED / 2) / CONVERTED);
+}
+
 /* Full light of either storage is exactly the level 1, and none is 0. */
 static void full_light_is_level_one(void **state)
 {
@@ -257,6 +269,7 @@ int main(void)
         cmocka_unit_test(under_and_over_agree),
         cmocka_unit_test(light_and_transmittance_sum_to_one),
         cmocka_unit_test(read_out_factors),
+        cmocka_unit_test(light_factors),
         cmocka_unit_test(full_light_is_level_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

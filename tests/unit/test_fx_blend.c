@@ -352,6 +352,8 @@ static void blends_of_8_16(void **state)
         const uint32_t o = random_opacity(&seed), most = fx_light_of_colour32(255, o);
         check_8_16(random_below(&seed, (255u << 16) + 1), random_below(&seed, most + 1), o);
     }
+    assert_int_equal(fx_blend_8_16(0, 63, 1), 0);
+    assert_int_equal(fx_blend_8_16(0, 64, 1), 1); /* a tie */
 }
 
 static void facts_of_8_16(void **state)
@@ -407,6 +409,9 @@ static void transmittances(void **state)
         if (o != 0)
             assert_true(fx_transmit(t, o) <= fx_transmit(t, o - 1));
     }
+    assert_int_equal(fx_transmit(1, 0x80000000u), 1); /* a tie */
+    assert_int_equal(fx_transmit(1, 0x80000001u), 1);
+    assert_int_equal(fx_transmit(1, 0x81000000u), 0);
 }
 
 static void opaque_shares(void **state)

@@ -161,6 +161,7 @@ static void equation_9(void **state)
             check_hits(&period, 255 * 65536, 0, bump);
             check_hits(&period, 255 * 65536, 255, bump);
         }
+        assert_int_equal(fx_hits(&period, 255 * 65536, 255, 0), slices);
     }
 }
 
