@@ -79,7 +79,8 @@ static void numbers_of_slices(void **state)
         const double ratio = (double)numbers[i][0] / numbers[i][1];
         deviation d = {0, 0, 0, 0};
         for (uint32_t a = 1; a < UINT32_MAX - a / 999; a += 1 + a / 999) {
-            const double exact = -4294967295.0 * expm1(ratio * log1p(a / -4294967295.0));
+            const long double depth = (long double)ratio * log1pl((long double)a / -4294967295.0L);
+            const long double exact = -4294967295.0L * expm1l(depth);
             deviation_add(&d, fx_correct_slices(a, numbers[i][0], numbers[i][1]), exact);
         }
         assert_true(d.worst <= 16 * (ratio + .5));
