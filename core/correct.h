@@ -50,7 +50,9 @@ FX_INLINE uint32_t qv_correction(fx_depth stored, fx_depth corrected, const qv_m
 }
 
 /* Opacity, Q0.32, and colour of a sample for the length. A colour stays below 2^32: at most
-   its unit, 65536 * 255^2 or 65535^2, and 2^-16 of it. */
+   its unit, 65536 * 255^2 or 65535^2, and less than 2^-15 of it. For a ratio of 2^11, the
+   most, phi of a depth of 23 * 2^11 is 2^-15, which its rounding and that of the share of
+   phi change by 2^-17 each, and its own error by .16 * 2^-16. */
 FX_INLINE uint32_t qv_correct(uint32_t colour[3], const qv_sample *sample, const qv_medium *medium,
                               unsigned storage)
 {

@@ -205,4 +205,23 @@ static inline void fixture_render(fixture_pixels pixels, const fixture *f)
     assert_int_equal(qv_render(&image, &context, &fixture_frame), QV_OK);
 }
 
+/* The greatest difference between two scenes' pictures, which must show much of the
+   volume. */
+static inline int fixture_difference(const fixture *a, const fixture *b)
+{
+    fixture_pixels pixels_a, pixels_b;
+    const uint8_t *p = &pixels_a[0][0][0], *q = &pixels_b[0][0][0];
+    uint32_t covered = 0;
+    int worst = 0;
+    fixture_render(pixels_a, a);
+    fixture_render(pixels_b, b);
+    for (unsigned i = 0; i < sizeof pixels_a; i++) {
+        const int apart = p[i] > q[i] ? p[i] - q[i] : q[i] - p[i];
+        covered += i % 4 == 3 && p[i] > 0;
+        worst = apart > worst ? apart : worst;
+    }
+    assert_true(covered >= 40);
+    return worst;
+}
+
 #endif /* SCENE_FIXTURE_H */
