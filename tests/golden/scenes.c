@@ -5,7 +5,7 @@
  * by a generator seeded with the number. Whoever changes anything here runs `make
  * golden-update`.
  */
-#include "random.h"
+#include "splitmix.h"
 #include "scenes.h"
 
 /* A binary angle from whole degrees; negative ones wrap as angles do. */

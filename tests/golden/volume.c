@@ -1,7 +1,7 @@
 /*
  * volume.c - seeded volumes of every storage and layout.
  */
-#include "random.h"
+#include "splitmix.h"
 #include "scenes.h"
 
 /* ---- Colours -------------------------------------------------------------- */

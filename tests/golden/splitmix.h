@@ -1,8 +1,8 @@
 /*
- * random.h - the seeded numbers of the golden scenes.
+ * splitmix.h - the seeded numbers of the golden scenes.
  */
-#ifndef GOLDEN_RANDOM_H
-#define GOLDEN_RANDOM_H
+#ifndef GOLDEN_SPLITMIX_H
+#define GOLDEN_SPLITMIX_H
 
 #include <stdint.h>
 
@@ -22,4 +22,4 @@ static inline uint32_t random_below(uint32_t *state, uint32_t bound)
     return random16(state) * bound >> 16;
 }
 
-#endif /* GOLDEN_RANDOM_H */
+#endif /* GOLDEN_SPLITMIX_H */
