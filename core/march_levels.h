@@ -9,7 +9,7 @@
 
 /* A sum of one level and that of the next, in proportion, to nearest: never above the
    larger, and exact where they are equal. share is not 0; both are below 2^32 - 2^15. */
-FX_INLINE uint32_t qv_blend(uint32_t finer, uint32_t coarser, uint32_t share)
+FX_INLINE uint32_t qv_blend_sums(uint32_t finer, uint32_t coarser, uint32_t share)
 {
     uint64_t sum = fx_wide_product(finer, 0u - share) + fx_wide_product(coarser, share);
     return (uint32_t)((sum + 0x80000000u) >> 32);
@@ -21,12 +21,13 @@ FX_INLINE void qv_blend_samples(qv_sample *finer, const qv_sample *coarser, uint
     unsigned scale = finer->scale < coarser->scale ? finer->scale : coarser->scale;
     unsigned down = finer->scale - scale, coarser_down = coarser->scale - scale;
     finer->scale = scale;
-    finer->opacity = fx_share_of(qv_blend(fx_share_bits(finer->opacity) >> down,
-                                          fx_share_bits(coarser->opacity) >> coarser_down, share));
+    finer->opacity =
+        fx_share_of(qv_blend_sums(fx_share_bits(finer->opacity) >> down,
+                                  fx_share_bits(coarser->opacity) >> coarser_down, share));
     for (unsigned c = 0; c < 3; c++)
         finer->light[c] =
-            fx_sum_of(qv_blend(fx_sum_bits(finer->light[c]) >> down,
-                               fx_sum_bits(coarser->light[c]) >> coarser_down, share));
+            fx_sum_of(qv_blend_sums(fx_sum_bits(finer->light[c]) >> down,
+                                    fx_sum_bits(coarser->light[c]) >> coarser_down, share));
 }
 
 /* A sample without opacity, which takes the scale of any other. */
@@ -106,6 +107,6 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
         qv_march_levels(light, ray, context, storage, family);                                     \
     }                                                                                              \
     const qv_sampling qv_##mode##_##suffix##_levels = {prepare_##suffix, march_##suffix, read_out, \
-                                                       storage};
+                                                       storage, 1};
 
 #endif /* QV_MARCH_LEVELS_H */

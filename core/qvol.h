@@ -111,7 +111,9 @@ typedef enum qv_status {
     QV_ERROR_LIGHT = -15,      /* shading: zero vector or coefficient out of range */
     QV_ERROR_EXTINCTION = -16, /* extinction of the full value 0, or too much for a step */
     QV_ERROR_MIXTURE = -17,    /* percentages sum to more than 1; a filter does not sum to 1 */
-    QV_ERROR_LEVEL = -18       /* more levels than the size has, or a level without a pyramid */
+    QV_ERROR_LEVEL = -18,      /* more levels than the size has, or a level without a pyramid */
+    QV_ERROR_DITHER = -19,     /* dither: no sequence or technique, period or slope out of range */
+    QV_ERROR_SLICE = -20       /* slice out of range, or no slices */
 } qv_status;
 
 /* One line of English for a status, never null; also for values not listed. */
@@ -285,6 +287,7 @@ typedef struct qv_sampling {
     void (*march)(struct qv_light *light, struct qv_ray *ray, const struct qv_context *context);
     uint32_t read_out; /* accumulated light to pixel levels, core/composite.h */
     uint8_t storage;   /* the qv_storage it reads */
+    uint8_t by_length; /* whether it weighs by length */
 } qv_sampling;
 
 /* Front to back, back to front, and front to back through a pyramid. */
@@ -608,6 +611,272 @@ qv_status qv_classify(void *voxels, size_t bytes, uint8_t storage, const qv_clas
  */
 qv_status qv_reduce(void *values, size_t bytes, const qv_scalars *scalars, const uint8_t factor[3],
                     uint16_t first_z, uint16_t end_z);
+
+/* ---- Slices ----------------------------------------------------------------- */
+
+/*
+ * Rendering slice by slice into a frame buffer that stays in the caller's memory
+ * (Williams et al., alpha dithering for 8-bit compositing). Slice k is what every ray sees
+ * of its sample k; in modes that weigh by length, of stretch k. Orthographic slices are
+ * planes, those of an eye spheres round it. A frame:
+ *
+ *     qv_slice_range(&first, &end, &context, &rect);
+ *     qv_clear(&buffer, &context, &rect);
+ *     for (k = end; k-- > first;)                       back to front; qv_under_*: first to end
+ *         qv_slice(&buffer, &dither, &context, &rect, k);
+ *     qv_read_out(&image, &buffer, &context, &rect);    where the display has another format
+ *
+ * Rectangles of a frame may be rendered apart, down to rows: the dither of a pixel depends on
+ * its absolute position, the slice and the frame alone. Any mode will do, of either order;
+ * termination ends nothing here.
+ */
+
+struct qv_fragment;
+struct qv_moment;
+
+/*
+ * How the pixels of a frame buffer lie in memory and how a slice is blended with them. The
+ * caller names those it uses, and only those are linked. The fields are the library's own.
+ */
+typedef struct qv_blend {
+    void (*blend)(uint8_t *pixel, uint8_t *beside, const struct qv_fragment *fragment,
+                  const struct qv_moment *moment);
+    void (*clear)(uint8_t *pixel, uint8_t *beside, const struct qv_fragment *background);
+    void (*read)(struct qv_fragment *fragment, const uint8_t *pixel, const uint8_t *beside);
+    uint8_t bytes;  /* of a pixel */
+    uint8_t beside; /* bytes of what is kept beside a pixel, 0 where nothing is */
+} qv_blend;
+
+/*
+ * Back to front (equations 6 and 7), each result rounded by dither. A pixel is a state:
+ * levels, 255 being 1, with as many fraction bits as the channel has beyond 8; colours are
+ * associated, and the fourth channel, where there is one, is the accumulated opacity. States
+ * of more than 8 bits lie in memory lowest byte first. Largest deviation from exact
+ * compositing over 1000 slices, in 8-bit levels, with qv_sequence_blocks: of a fog, and of
+ * any of the contents that tests/accuracy/blends.c tries.
+ */
+extern const qv_blend qv_over_rgb888, qv_over_rgba8888;                     /* 5.5, 37 */
+extern const qv_blend qv_over_rgb888_residual4, qv_over_rgba8888_residual4; /* 1.1, 4.5 */
+extern const qv_blend qv_over_rgb888_residual8, qv_over_rgba8888_residual8; /* .6, .75 */
+extern const qv_blend qv_over_rgb565; /* 25 and 15.5, 120 and 75; low byte first */
+extern const qv_blend qv_over_rgba12; /* 6 bytes: 1.1, 4.5; of R the lowest bits first */
+extern const qv_blend qv_over_rgb16, qv_over_rgba16; /* 6 and 8 bytes: .6, .75 */
+extern const qv_blend qv_over_rgb24, qv_over_rgba24; /* 9 and 12 bytes; rounded: .51, .51 */
+
+/*
+ * The residuals above are 4 or 8 bits a channel beside a frame buffer of 8 bits (error
+ * feedback): 2 bytes a pixel, red in the lowest 4 bits; or 3 and 4 bytes.
+ *
+ * Front to back (section 8.2): colours in the same states, without opacity; beside each pixel 3
+ * bytes of transmittance, lowest first.
+ */
+extern const qv_blend qv_under_rgb888; /* 9, 48 */
+extern const qv_blend qv_under_rgb16;  /* .62, .75 */
+extern const qv_blend qv_under_rgb24;  /* rounded: .51, .51 */
+
+/*
+ * As blending hardware does it (section 2.1): a slice has an opacity of 8 bits, made by the
+ * technique of the dither, and a colour of 8 bits; each result is rounded to nearest. Without
+ * accumulated opacity by equation 1; with it by equations 6 and 7, colours weighted by the
+ * dithered opacity (section 5). rgba12: opacities of 12 bits, rounded whatever the technique,
+ * 4095 being 1; 6 bytes, as above.
+ */
+extern const qv_blend qv_hardware_rgb888, qv_hardware_rgba8888;
+extern const qv_blend qv_hardware_rgb565, qv_hardware_rgba12;
+
+/* No blend: each pixel becomes the slice's own, the R, G, B, A of 8 bits that hardware is to
+   blend, with colour weighted by the dithered opacity. A row at a time will do. */
+extern const qv_blend qv_hand_out_rgba8888;
+
+/*
+ * The dither value of a slice, Q0.32; slices count from 2^22 below sample 0. Its place in the
+ * period of a table or pattern is slice modulo period.
+ */
+typedef uint32_t qv_sequence(uint32_t slice);
+
+uint32_t qv_sequence_rounded(uint32_t slice); /* 1/2 for all: rounding to nearest, no dither */
+uint32_t qv_sequence_golden(uint32_t slice);  /* best where no slice is empty */
+uint32_t qv_sequence_hash(uint32_t slice);    /* the noise of a random walk, but on anything */
+uint32_t qv_sequence_blocks(uint32_t slice);  /* between the two: see qv_recommend */
+
+struct qv_dither;
+
+/*
+ * Makes an opacity of 8 bits of one in levels with 16 fraction bits, for qv_hardware_* and
+ * qv_hand_out_rgba8888. `value` is what a pixel has accumulated (its opacity or, where that is
+ * not kept, its channel of the slice's largest colour) and `colour` the slice's, 0 .. 255.
+ */
+typedef uint32_t qv_technique(const struct qv_moment *moment, uint32_t opacity, uint32_t value,
+                              uint32_t colour);
+
+qv_technique qv_technique_rounded;   /* no dither */
+qv_technique qv_technique_random;    /* section 3: hits by dither value */
+qv_technique qv_technique_ordered;   /* section 3: hits by the place in the period */
+qv_technique qv_technique_bumped;    /* exponential bumps and the second slope, by the pixel's
+                                        value; handed out: as ordered, for no value is known */
+qv_technique qv_technique_corrected; /* section 9.2: by the pixel's value, with the hits' share
+                                        such that the blend is exact on average */
+
+typedef struct qv_dither {
+    qv_sequence *sequence;   /* never null */
+    qv_technique *technique; /* of qv_hardware_* and qv_hand_out_*, else not read */
+    uint32_t slope[2]; /* slope modifiers, Q16.16, 0 .. 2^20; 0: 1. The first alone but for bumped,
+                          which takes the second once the value has reached its knee */
+    uint32_t frame;    /* counter: shifts the dither of all pixels from frame to frame */
+    uint8_t period;    /* of random, ordered and bumped: 2 .. 64 slices */
+    uint8_t cutoff;    /* levels: opacities above are rounded by these; 0: none are */
+    uint8_t still;     /* 1: the same dither for all pixels of a slice, as published */
+} qv_dither;
+
+/*
+ * A frame buffer. Pixel (left, top) of a call's rectangle starts at pixels, the next row at
+ * pixels + stride, which may be negative; bytes as in qv_image. `beside` likewise, for blends
+ * that keep something beside the pixels; else it is not read. No alignment is needed.
+ */
+typedef struct qv_buffer {
+    void *pixels;
+    void *beside;
+    size_t bytes, beside_bytes;
+    ptrdiff_t stride, beside_stride;
+    const qv_blend *blend;
+} qv_buffer;
+
+/*
+ * The slices first <= k < end that pixels of the rectangle may see; first == end where they
+ * see none. Exact but for two more at each end. Takes some 1500 instructions a pixel; the
+ * ranges of parts may be joined. Returns QV_OK or QV_ERROR_NULL, _RECT.
+ */
+qv_status qv_slice_range(int32_t *first, int32_t *end, const qv_context *context,
+                         const qv_rect *rect);
+
+/* Sets the rectangle to the scene's background, to nearest; where blends keep no opacity,
+   black stands behind it. qv_under_*: clears it, and the background comes with qv_read_out.
+   Returns QV_OK or QV_ERROR_NULL, _RECT, _BUFFER. */
+qv_status qv_clear(const qv_buffer *buffer, const qv_context *context, const qv_rect *rect);
+
+/*
+ * Blends one slice. Any slice may be asked for; where the volume has none, nothing changes
+ * (qv_hand_out_rgba8888: all becomes 0). Returns QV_OK or QV_ERROR_NULL, _RECT, _BUFFER,
+ * _DITHER (period or slope out of range, no sequence, or no technique where the blend needs
+ * it), _SLICE (not -2^22 < slice < 2^22).
+ */
+qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_context *context,
+                   const qv_rect *rect, int32_t slice);
+
+/*
+ * Puts the front picture before the one behind, which becomes the result: two bricks, or a chunk
+ * and what lies behind it (equations 4 and 8, sections 2.3 and 7). The two may have different
+ * blends; front should keep opacity or transmittance, or it hides all. Its pixels count as
+ * those of a slice, blended as behind->blend and the dither say. Returns QV_OK or QV_ERROR_NULL, _RECT,
+ * _BUFFER (of either), _DITHER, _SLICE.
+ */
+qv_status qv_combine(const qv_buffer *behind, const qv_buffer *front, const qv_dither *dither,
+                     const qv_rect *rect, int32_t slice);
+
+/*
+ * The same, to the bit, for bricks of one colour and opacity of 8 bits that qv_hardware_rgba8888
+ * has blended without dither: behind becomes what all slices in one buffer would have given, by
+ * replaying as many slices as made the front pixel out of nothing, at most 1020; a pixel that
+ * they never make is put in front by qv_hardware_rgba8888. Returns QV_OK or QV_ERROR_NULL,
+ * _RECT, _BUFFER (also for another blend).
+ */
+qv_status qv_replay(const qv_buffer *behind, const qv_buffer *front, const uint8_t rgba[4],
+                    const qv_rect *rect);
+
+/* Turns a rectangle of a frame buffer into pixels of a display's format, as qv_render would
+   store them. Returns QV_OK or QV_ERROR_NULL, _RECT, _BUFFER (of either). */
+qv_status qv_read_out(const qv_image *image, const qv_buffer *buffer, const qv_context *context,
+                      const qv_rect *rect);
+
+/*
+ * Equation 3: an opacity, Q0.32 of which 2^32 - 1 is 1, for `wanted` slices in place of
+ * `slices`, 1 .. 65535 each: 1 - (1 - opacity)^(slices / wanted). 0 and 1 stay. At most
+ * (slices / wanted + 1/2) * 2^-28 off. 0 slices of either count as 1.
+ */
+uint32_t qv_opacity_for_slices(uint32_t opacity, uint16_t slices, uint16_t wanted);
+
+/*
+ * The same for the opacities of a table's entries, colours as they are. `from` may be `to`.
+ * Each to nearest, .51 of 1/65535. Returns QV_OK, QV_ERROR_NULL, or QV_ERROR_SLICE (0 slices).
+ */
+qv_status qv_transfer_for_slices(qv_transfer *to, const qv_transfer *from, uint16_t slices,
+                                 uint16_t wanted);
+
+/*
+ * Opacities from a histogram (equation 12): scale / ln(count) levels, scale in levels Q16.16, at
+ * most 255 levels; counts of 0 and 1 get the most. Peaks, bins of at least `peak` counts, get
+ * peak_opacity instead, and so do the bins beside them, so that interpolation between
+ * entries stays at the peak's; the bins next to those average theirs with that neighbour. Colours
+ * stay. Off by at most 1/65535. Returns QV_OK or QV_ERROR_NULL.
+ */
+qv_status qv_transfer_from_histogram(qv_transfer *table, const uint32_t histogram[256],
+                                     uint32_t scale, uint32_t peak, uint16_t peak_opacity);
+
+/*
+ * A transfer function as a temporal dither table (section 6, table 3): for each of 256 values
+ * and each place in the period the dithered opacity, alone (1 byte: 256 * period bytes) or
+ * after the colour weighted by it (R, G, B, A: 4 bytes, 1024 * period bytes). Value v, place p:
+ * entry 256 p + v. It is a plain array: it may be built on the host and linked as a constant.
+ */
+typedef struct qv_dither_table {
+    qv_address entries;
+    uint64_t bytes;
+    uint8_t period;      /* 2 .. 64 */
+    uint8_t entry_bytes; /* 1 or 4 */
+} qv_dither_table;
+
+/* Bytes of such a table; 0 where period or entry_bytes are out of range. */
+uint32_t qv_dither_table_bytes(uint8_t period, uint8_t entry_bytes);
+
+/*
+ * Builds the entries of first <= value < end of a table, packed as above at `to`. Hits are
+ * ordered; the pattern of a value is turned against that of its neighbour, so that equal
+ * neighbours do not hit together. dither: period, cutoff and slope[0]. Some 60 instructions
+ * an entry. Returns QV_OK or QV_ERROR_NULL, _DITHER, _SIZE (entry_bytes, or values), _BUFFER.
+ */
+qv_status qv_dither_table_build(void *to, size_t bytes, uint8_t entry_bytes,
+                                const qv_dither *dither, const qv_transfer *transfer,
+                                uint16_t first, uint16_t end);
+
+/* The place in the period that a pixel of a slice and frame reads: 0 .. period - 1. */
+uint8_t qv_dither_table_place(const qv_dither_table *table, uint32_t slice, uint32_t frame,
+                              int32_t x, int32_t y);
+
+/*
+ * Blends a slice of an indexed volume through a table with colours, in place of its palette,
+ * by the nearest voxel (qv_technique and sequence are not read; frame and still are). The
+ * context's sampling must be one of qv_nearest_indexed8 or _16; the blend one of
+ * qv_hardware_rgba8888, _rgb888 and qv_hand_out_rgba8888. Errors as qv_slice; also
+ * QV_ERROR_STORAGE (not indexed), QV_ERROR_SIZE (the table).
+ */
+qv_status qv_slice_table(const qv_buffer *buffer, const qv_dither_table *table,
+                         const qv_dither *dither, const qv_context *context, const qv_rect *rect,
+                         int32_t slice);
+
+/* ---- Recommendation --------------------------------------------------------- */
+
+typedef enum qv_advice {
+    QV_ADVICE_PLAIN = 1,    /* qv_hardware_*, rounded */
+    QV_ADVICE_DITHER = 2,   /* qv_over_* of the frame buffer's bits */
+    QV_ADVICE_RESIDUAL = 3, /* qv_over_*_residual4 or 8 */
+    QV_ADVICE_ROUND = 4     /* qv_over_rgb24 */
+} qv_advice;
+
+typedef struct qv_recommendation {
+    qv_advice advice;
+    qv_sequence *sequence;
+    uint16_t worst_fog; /* 1/100 of an 8-bit level: expected at most where no slice is empty */
+    uint16_t worst;     /* and on any of the contents of tests/accuracy/blends.c */
+} qv_recommendation;
+
+/*
+ * What to take for a frame buffer of so many bits a channel (5, 6, 8, 12, 16 or 24), with
+ * residuals of 0, 4 or 8 bits beside, for a number of slices whose smallest opacity, Q0.32, is
+ * not 0. The errors are read from a table that was measured (core/recommend_table.h), rounded
+ * up. Returns QV_OK or QV_ERROR_NULL, _SIZE (bits), _SLICE (no slices or opacity 0).
+ */
+qv_status qv_recommend(qv_recommendation *recommendation, uint8_t bits, uint8_t residual_bits,
+                       uint16_t slices, uint32_t opacity);
 
 /* ---- Opacity and extinction ----------------------------------------------- */
 

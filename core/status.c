@@ -48,6 +48,10 @@ const char *qv_status_text(qv_status status)
         return "percentages of materials, or taps of a filter, do not sum to 1";
     case QV_ERROR_LEVEL:
         return "pyramid missing, or its levels more than the volume has";
+    case QV_ERROR_DITHER:
+        return "dither without a sequence or technique, or its period or slope out of range";
+    case QV_ERROR_SLICE:
+        return "slice out of range, or no slices";
     }
     return "unknown status";
 }

@@ -33,6 +33,7 @@
 #include "fx_inline.h"
 #include "fx_wide.h"
 
+#define FX_NO_DITHER 0x80000000u /* u = 1/2: rounds to nearest */
 #define FX_ONE_Q23   0x00800000u
 #define FX_LIGHT_ONE 0x7F800000u /* 255 * 2^23 */
 
@@ -167,20 +168,21 @@ FX_INLINE uint32_t fx_blend_dithered(uint32_t state, uint32_t light, uint32_t op
 }
 
 /*
- * The same for states of 8.16 by an opacity in Q0.32, to nearest, without dither: off by at
- * most 1/2 + 2^-7 of a unit, 2^-17 of a level, a slice.
+ * The same for states of 8.16 by an opacity in Q0.32. u = FX_NO_DITHER rounds to nearest, off
+ * by at most 1/2 + 2^-7 of a unit, 2^-17 of a level, a slice: dither gains nothing here.
  *
  * In units of 2^-24: kept <= 255 * 2^24, and with twice the light the sum is at most 255 *
- * 2^24 + 2, below 2^32 - 128. v - round(v A) is monotone in v as A < 1. For level c both
- * roundings, of A c here and of light, together are off by at most 3/2 of these units:
- * less than the half unit of 128 that would show. Opacity 2^32 - 1 leaves at most 1 of
- * them, which does not show either, and opacity 0 leaves all.
+ * 2^24 + 2, below 2^32 - 253. v - round(v A) is monotone in v as A < 1. For level c both
+ * roundings, of A c here and of light, together are off by at most 3/2 of these units, which
+ * 2 .. 253 more, of 256, do not show. Opacity 2^32 - 1 leaves at most 1 of them, which does not
+ * show either, and opacity 0 leaves all.
  */
-static inline uint32_t fx_blend_8_16(uint32_t state, uint32_t light, uint32_t opacity32)
+static inline uint32_t fx_blend_8_16(uint32_t state, uint32_t light, uint32_t opacity32, uint32_t u)
 {
     uint32_t kept = state << 8;
+    uint32_t dither = 2u + (((u >> 24) * 252u) >> 8); /* 2 .. 253, and 128 for FX_NO_DITHER */
     kept -= fx_high_product(kept, opacity32);
-    return (kept + 2u * light + 128u) >> 8;
+    return (kept + 2u * light + dither) >> 8;
 }
 
 /* ---- Front to back --------------------------------------------------------- */
@@ -234,12 +236,10 @@ FX_INLINE uint32_t fx_front_colour(uint32_t state, uint32_t colour, uint32_t bef
 
 /*
  * A slice of light behind the state: adds light * transmittance, rounded by dither; for a
- * fraction of 16 bits u is FX_NO_DITHER, which rounds to nearest. before and after are the
+ * fraction of 16 bits FX_NO_DITHER is best. before and after are the
  * transmittances of the pixel on both sides of the slice. Fraction 0, 4, 8 or 16. Off by
  * less than 1 unit, on average by less than 2^(fraction-23), before it is limited.
  */
-#define FX_NO_DITHER 0x80000000u
-
 FX_INLINE uint32_t fx_front_light(uint32_t state, uint32_t light, uint32_t before, uint32_t after,
                                   uint32_t u, unsigned fraction)
 {

@@ -68,7 +68,7 @@ static uint32_t dithered_8_8(uint32_t state, const slice *of, uint32_t u)
 static uint32_t rounded_8_16(uint32_t state, const slice *of, uint32_t u)
 {
     (void)u;
-    return fx_blend_8_16(state, of->light32, of->opacity32);
+    return fx_blend_8_16(state, of->light32, of->opacity32, FX_NO_DITHER);
 }
 
 static uint32_t front_colour_8(uint32_t state, const slice *of, uint32_t u)

@@ -65,11 +65,12 @@ static void states_of_8_16(void **state)
         const uint32_t o = opacities[i], white = fx_light_of_colour32(255, o);
         uint32_t before = 0;
         for (uint32_t s = 0; s <= 255u << 16; s++) {
-            const uint32_t black = fx_blend_8_16(s, 0, o);
-            if (black < before || fx_blend_8_16(s, white, o) > 255u << 16)
+            const uint32_t black = fx_blend_8_16(s, 0, o, FX_NO_DITHER);
+            if (black < before || fx_blend_8_16(s, white, o, FX_NO_DITHER) > 255u << 16)
                 fail_msg("%u under %u", s, o);
             before = black;
-            if ((s & 0xFFFFu) == 0 && fx_blend_8_16(s, fx_light_of_colour32(s >> 16, o), o) != s)
+            if ((s & 0xFFFFu) == 0 &&
+                fx_blend_8_16(s, fx_light_of_colour32(s >> 16, o), o, FX_NO_DITHER) != s)
                 fail_msg("%u under itself of %u", s, o);
         }
     }

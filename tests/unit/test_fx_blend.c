@@ -366,7 +366,7 @@ static void check_8_16(uint32_t state, uint32_t light, uint32_t o)
 {
     const int64_t lost = (int64_t)rounded((uint64_t)state * o, 4096); /* 2^-20 of a unit */
     const int64_t exact = ((int64_t)state << 20) + ((int64_t)light << 13) - lost;
-    const int64_t off = ((int64_t)fx_blend_8_16(state, light, o) << 20) - exact;
+    const int64_t off = ((int64_t)fx_blend_8_16(state, light, o, FX_NO_DITHER) << 20) - exact;
     if (off > (1 << 19) + (1 << 13) || off < -(1 << 19) - (1 << 13))
         fail_msg("8.16: %u, light %u, opacity %u: %d off", state, light, o, (int)off);
 }
@@ -379,8 +379,8 @@ static void blends_of_8_16(void **state)
         const uint32_t o = random_opacity(&seed), most = fx_light_of_colour32(255, o);
         check_8_16(random_below(&seed, (255u << 16) + 1), random_below(&seed, most + 1), o);
     }
-    assert_int_equal(fx_blend_8_16(0, 63, 1), 0);
-    assert_int_equal(fx_blend_8_16(0, 64, 1), 1); /* a tie */
+    assert_int_equal(fx_blend_8_16(0, 63, 1, FX_NO_DITHER), 0);
+    assert_int_equal(fx_blend_8_16(0, 64, 1, FX_NO_DITHER), 1); /* a tie */
 }
 
 static void facts_of_8_16(void **state)
@@ -389,14 +389,15 @@ static void facts_of_8_16(void **state)
     (void)state;
     for (uint32_t n = 0; n < 20000; n++) {
         const uint32_t o = random_opacity(&seed), s = random_below(&seed, 255u << 16);
+        const uint32_t u = n % 4 == 0 ? 0 : n % 4 == 1 ? UINT32_MAX : random_next(&seed);
         const uint32_t light = fx_light_of_colour32(random_below(&seed, 255), o);
         for (uint32_t c = 0; c < 256; c++) {
-            assert_int_equal(fx_blend_8_16(c << 16, fx_light_of_colour32(c, o), o), c << 16);
-            assert_int_equal(fx_blend_8_16(s, c << 23, FULL32), c << 16);
+            assert_int_equal(fx_blend_8_16(c << 16, fx_light_of_colour32(c, o), o, u), c << 16);
+            assert_int_equal(fx_blend_8_16(s, c << 23, FULL32, u), c << 16);
         }
-        assert_int_equal(fx_blend_8_16(s, 0, 0), s);
-        assert_true(fx_blend_8_16(s + 1, light, o) >= fx_blend_8_16(s, light, o));
-        assert_true(fx_blend_8_16(s, light + 1, o) >= fx_blend_8_16(s, light, o));
+        assert_int_equal(fx_blend_8_16(s, 0, 0, u), s);
+        assert_true(fx_blend_8_16(s + 1, light, o, u) >= fx_blend_8_16(s, light, o, u));
+        assert_true(fx_blend_8_16(s, light + 1, o, u) >= fx_blend_8_16(s, light, o, u));
     }
 }
 
@@ -411,7 +412,8 @@ static void images_combine(void **state)
         const uint32_t far = random_below(&seed, 65281), o = fx_opacity_of_level(opacity << 8);
         const uint32_t light = fx_light_of(near << 15, 0x80000000u, fx_light_of_colour32(255, o));
         const int64_t exact = ((int64_t)near * 65280 + (int64_t)(65280 - opacity) * far) * 256;
-        const int64_t off = (int64_t)fx_blend_8_16(far << 8, light, o) * 65280 - exact;
+        const int64_t off =
+            (int64_t)fx_blend_8_16(far << 8, light, o, FX_NO_DITHER) * 65280 - exact;
         assert_in_range(off + 34000, 0, 68000); /* of 65280: .52 units */
     }
 }

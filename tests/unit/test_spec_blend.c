@@ -169,8 +169,11 @@ static void S71_blends_of_light(void **state)
     }
     for (unsigned i = 0; i < COUNT(rounded); i++) {
         const uint32_t *e = rounded[i];
-        assert_int_equal(fx_blend_8_16(e[0], fx_light_of_colour32(e[1], e[2]), e[2]), e[3]);
+        assert_int_equal(fx_blend_8_16(e[0], fx_light_of_colour32(e[1], e[2]), e[2], FX_NO_DITHER),
+                         e[3]);
     }
+    const uint32_t light = fx_light_of_colour32(255, 0x12345678);
+    assert_int_equal(fx_blend_8_16(16711680, light, 0x12345678, 0xFFFFFFFFu), 16711680);
 }
 
 static void S72_transmittance_and_share(void **state)

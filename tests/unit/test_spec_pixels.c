@@ -114,7 +114,7 @@ static void expect_channels(const qv_sampling *sampling, const uint8_t backgroun
                             const uint32_t expected[4])
 {
     static const qv_format channels = {store_channels, 128, 0};
-    const qv_sampling mode = {sampling->prepare, gather, sampling->read_out, sampling->storage};
+    const qv_sampling mode = {sampling->prepare, gather, sampling->read_out, sampling->storage, 0};
     const qv_rect rect = {x, 0, x + 1, 1};
     uint32_t pixel[4];
     const qv_image image = {pixel, sizeof pixel, sizeof pixel, &channels};
