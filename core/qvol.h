@@ -797,17 +797,19 @@ uint32_t qv_opacity_for_slices(uint32_t opacity, uint16_t slices, uint16_t wante
 
 /*
  * The same for the opacities of a table's entries, colours as they are. `from` may be `to`.
- * Each to nearest, .51 of 1/65535. Returns QV_OK, QV_ERROR_NULL, or QV_ERROR_SLICE (0 slices).
+ * Off by at most 1/2 + (slices / wanted + 1) / 4096 of 1/65535. Returns QV_OK, QV_ERROR_NULL, or
+ * QV_ERROR_SLICE (0 slices).
  */
 qv_status qv_transfer_for_slices(qv_transfer *to, const qv_transfer *from, uint16_t slices,
                                  uint16_t wanted);
 
 /*
- * Opacities from a histogram (equation 12): scale / ln(count) levels, scale in levels Q16.16, at
- * most 255 levels; counts of 0 and 1 get the most. Peaks, bins of at least `peak` counts, get
- * peak_opacity instead, and so do the bins beside them, so that interpolation between
- * entries stays at the peak's; the bins next to those average theirs with that neighbour. Colours
- * stay. Off by at most 1/65535. Returns QV_OK or QV_ERROR_NULL.
+ * Opacities from a histogram (equation 12): scale / ln(count) levels, scale in levels Q16.16,
+ * and at most 255 levels, which counts of 0 and 1 get. Peaks, bins of at least `peak` counts
+ * (0: none are), get peak_opacity instead, and so do the bins beside them, so that
+ * interpolation between entries stays at the peak's (figure 41). The bins next to those go by
+ * the mean of their count and that neighbour's, in whole counts. Colours stay. Off by less
+ * than 1/65535. Returns QV_OK or QV_ERROR_NULL.
  */
 qv_status qv_transfer_from_histogram(qv_transfer *table, const uint32_t histogram[256],
                                      uint32_t scale, uint32_t peak, uint16_t peak_opacity);
@@ -829,18 +831,22 @@ typedef struct qv_dither_table {
 uint32_t qv_dither_table_bytes(uint8_t period, uint8_t entry_bytes);
 
 /*
- * Builds the entries of first <= value < end of a table, packed as above at `to`. Hits are
- * ordered; the pattern of a value is turned against that of its neighbour, so that equal
- * neighbours do not hit together. dither: period, cutoff and slope[0]. Some 60 instructions
- * an entry. Returns QV_OK or QV_ERROR_NULL, _DITHER, _SIZE (entry_bytes, or values), _BUFFER.
+ * Builds the entries of first <= value < end of a table at `to`, which holds all of it. Hits are
+ * ordered; each value's pattern is turned by 1 against that of the value below, so that equal
+ * neighbours never hit together while no more than half of the slices hit. Of the dither, period,
+ * cutoff and slope[0] are read. Some 60 instructions an entry. Returns QV_OK or QV_ERROR_NULL,
+ * _SIZE (entry_bytes, or values), _DITHER, _BUFFER.
  */
 qv_status qv_dither_table_build(void *to, size_t bytes, uint8_t entry_bytes,
                                 const qv_dither *dither, const qv_transfer *transfer,
                                 uint16_t first, uint16_t end);
 
-/* The place in the period that a pixel of a slice and frame reads: 0 .. period - 1. */
-uint8_t qv_dither_table_place(const qv_dither_table *table, uint32_t slice, uint32_t frame,
-                              int32_t x, int32_t y);
+/*
+ * The place that pixel (x, y) of a slice and frame reads, 0 .. period - 1: the slice moves it by 1,
+ * and the pixels of a frame spread evenly over all places. For a table that all pixels share, the
+ * pixel is (0, 0). 0 where the period is out of range.
+ */
+uint8_t qv_dither_table_place(uint8_t period, int32_t slice, uint32_t frame, int32_t x, int32_t y);
 
 /*
  * Blends a slice of an indexed volume through a table with colours, in place of its palette,
