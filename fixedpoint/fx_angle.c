@@ -1,5 +1,6 @@
 #include "fx_angle.h"
 
+#include "fx_table.h"
 #include "fx_wide.h"
 
 #define EIGHTH_TURN 0x20000000u
@@ -10,17 +11,17 @@
  * out for the sine. What is left out is below 2^-32 for both.
  */
 #define TERMS 5
-static const uint32_t sine_series[TERMS] = {0x0000053B, 0x000265A6, 0x00A335E3, 0x14ABBCE6,
-                                            0xC90FDAA2}; /* u^9 .. u */
-static const uint32_t cosine_series[TERMS] = {0x0000006A, 0x00003C3F, 0x00155D3C, 0x040F07C2,
-                                              0x4EF4F327}; /* u^10 .. u^2 */
+FX_TABLE uint32_t sine_series[TERMS] = {0x0000053B, 0x000265A6, 0x00A335E3, 0x14ABBCE6,
+                                        0xC90FDAA2}; /* u^9 .. u */
+FX_TABLE uint32_t cosine_series[TERMS] = {0x0000006A, 0x00003C3F, 0x00155D3C, 0x040F07C2,
+                                          0x4EF4F327}; /* u^10 .. u^2 */
 
 /* c[4] - u2 * (c[3] - u2 * (c[2] - ...)); each bracket lies in 0 .. 1. */
 static uint32_t alternating(const uint32_t c[TERMS], uint32_t u2)
 {
-    uint32_t sum = c[0];
+    uint32_t sum = fx_table32(&c[0]);
     for (unsigned i = 1; i < TERMS; i++)
-        sum = c[i] - fx_high_product(u2, sum);
+        sum = fx_table32(&c[i]) - fx_high_product(u2, sum);
     return sum;
 }
 

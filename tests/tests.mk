@@ -61,7 +61,7 @@ $(TABLE_GENERATOR): $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/tables/*.c))
 	@$(CC) $(CFLAGS) $^ -lmpfr -lgmp -o $@
 
 # The papers' figures: a program for each paper, of a folder of its own and what all share.
-PAPER_PROGRAMS := $(TEST_OUT)/papers/wittenbrink $(TEST_OUT)/papers/kraus
+PAPER_PROGRAMS := $(addprefix $(TEST_OUT)/papers/,wittenbrink kraus dithering)
 paper_objects = $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/papers/*.c tests/papers/$(1)/*.c))
 
 .PHONY: paper-programs
@@ -69,6 +69,7 @@ paper-programs: $(PAPER_PROGRAMS)
 
 $(TEST_OUT)/papers/wittenbrink: $(call paper_objects,wittenbrink)
 $(TEST_OUT)/papers/kraus: $(call paper_objects,kraus)
+$(TEST_OUT)/papers/dithering: $(call paper_objects,dithering)
 
 $(PAPER_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 	@mkdir -p $(@D)

@@ -6,22 +6,31 @@
  * The first serial port is standard output. The firmware ends the run by writing its
  * exit code to GPIOR0, and marks what is measured by writing 1, then 0 to GPIOR1
  * (port/avr/simulator.c). For every such region, one line in the file out:
- *     region NUMBER instructions COUNT cycles COUNT
+ *     region NUMBER instructions COUNT cycles COUNT ram BYTES
+ * The last is what data and stack have taken since the reset.
  */
+#include <fcntl.h>
+#include <gelf.h>
 #include <inttypes.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
-#include <simavr/sim_elf.h>
 #include <simavr/sim_io.h>
 
 /* Addresses of an ATmega1284P's registers as data. */
 enum { GPIOR0 = 0x3E, GPIOR1 = 0x4A };
+
+/* Where linkers put RAM, which starts without contents, beside the flash. */
+#define RAM_BASE 0x800000u
+
+/* What RAM holds until it is written. */
+enum { PAINT = 0xA5 };
 
 /* What a fault returns to the shell, as the Cortex-M firmware does: 128 + SIGSEGV. */
 enum { FAULT_EXIT_CODE = 139, USAGE_EXIT_CODE = 2 };
@@ -54,6 +63,18 @@ static void end_run(struct avr_t *avr, avr_io_addr_t address, uint8_t value, voi
     r->exit_code = value;
 }
 
+/* All of the RAM but the longest stretch that was never written: what lies between the data
+   and the deepest stack. */
+static unsigned ram_used(const avr_t *avr)
+{
+    unsigned longest = 0, stretch = 0, first = avr->ioend + 1u;
+    for (unsigned address = first; address <= avr->ramend; address++) {
+        stretch = avr->data[address] == PAINT ? stretch + 1 : 0;
+        longest = stretch > longest ? stretch : longest;
+    }
+    return avr->ramend + 1u - first - longest;
+}
+
 static void mark(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *parameter)
 {
     run *r = parameter;
@@ -62,8 +83,9 @@ static void mark(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *
         r->instructions_at_begin = r->instructions;
         r->cycles_at_begin = avr->cycle;
     } else if (r->report != NULL) {
-        fprintf(r->report, "region %u instructions %" PRIu64 " cycles %" PRIu64 "\n", r->region++,
-                r->instructions - r->instructions_at_begin, avr->cycle - r->cycles_at_begin);
+        fprintf(r->report, "region %u instructions %" PRIu64 " cycles %" PRIu64 " ram %u\n",
+                r->region++, r->instructions - r->instructions_at_begin,
+                avr->cycle - r->cycles_at_begin, ram_used(avr));
     }
 }
 
@@ -74,19 +96,53 @@ static void log_errors(struct avr_t *avr, const int level, const char *format, v
         vfprintf(stderr, format, arguments);
 }
 
+/* Loads every segment of the file that has contents where a programmer puts it; the
+   simulator's own loader knows sections of some names alone. */
+static bool load_segments(avr_t *avr, Elf *elf)
+{
+    size_t count, size;
+    char *image = elf_rawfile(elf, &size);
+    if (image == NULL || elf_getphdrnum(elf, &count) != 0)
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        GElf_Phdr segment;
+        if (gelf_getphdr(elf, (int)i, &segment) == NULL)
+            return false;
+        if (segment.p_type != PT_LOAD || segment.p_filesz == 0)
+            continue;
+        if (segment.p_offset > size || segment.p_filesz > size - segment.p_offset ||
+            segment.p_paddr >= RAM_BASE || segment.p_paddr + segment.p_filesz > avr->flashend + 1)
+            return false;
+        avr_loadcode(avr, (uint8_t *)image + segment.p_offset, (uint32_t)segment.p_filesz,
+                     (avr_flashaddr_t)segment.p_paddr);
+    }
+    avr->codeend = avr->flashend;
+    return true;
+}
+
+static bool load_file(avr_t *avr, const char *name)
+{
+    int file = open(name, O_RDONLY);
+    if (file < 0 || elf_version(EV_CURRENT) == EV_NONE)
+        return false;
+    Elf *elf = elf_begin(file, ELF_C_READ, NULL);
+    bool loaded = elf != NULL && load_segments(avr, elf);
+    elf_end(elf);
+    close(file);
+    return loaded;
+}
+
 /* NULL where there is no such machine or file. */
 static avr_t *power_up(const char *machine, const char *file)
 {
-    elf_firmware_t firmware;
-    memset(&firmware, 0, sizeof firmware);
     avr_t *avr = avr_make_mcu_by_name(machine);
-    if (avr == NULL || elf_read_firmware(file, &firmware) != 0)
+    if (avr == NULL)
         return NULL;
     avr_init(avr);
     avr->frequency = CLOCK_HZ;
     avr->run_cycle_limit = 1; /* one instruction a call, so that they can be counted */
-    avr_load_firmware(avr, &firmware);
-    return avr;
+    memset(avr->data + avr->ioend + 1, PAINT, (size_t)avr->ramend - avr->ioend);
+    return load_file(avr, file) ? avr : NULL;
 }
 
 /* The port's own output to the terminal, and its naps while it is polled, are off. */

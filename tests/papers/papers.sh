@@ -1,13 +1,13 @@
 #!/bin/sh
 # make papers: recomputes the papers on which the library rests. Writes pictures, plots
-# and a table to build/papers/PAPER; papers.sh PAPER... does some of them.
+# and tables to build/papers/PAPER; papers.sh PAPER... does some of them.
 set -eu
 cd "$(dirname "$0")/../.."
 : "${BUILD:=build}"
 SOURCES=tests/papers
 OUT=${PAPERS_OUT:-$BUILD/papers}
 
-# compute PAPER: runs its program, which writes OUT/PAPER/table.md and OUT/PAPER/data.
+# compute PAPER: runs its program, which writes its tables to OUT/PAPER, and OUT/PAPER/data.
 compute() {
     folder=$OUT/$1
     mkdir -p "$folder/data" "$folder/pictures"
@@ -94,10 +94,45 @@ kraus() {
         scattered-opacity "opacity-based sampling" scattered-extinction "extinction-based sampling"
 }
 
-[ $# -gt 0 ] || set -- wittenbrink kraus
+# ---- Williams et al.: alpha dithering --------------------------------------------
+
+# The index that the program writes has a line for each figure: name, kind of plot,
+# title, caption.
+plot_figures() {
+    while IFS='|' read -r name kind title _; do
+        gnuplot -c "$SOURCES/dithering/curves.gp" "$folder" "$name" "$kind" "$title"
+    done <"$folder/data/index"
+}
+
+# figures NAME TITLE NUMBER...: a sheet of plots.
+figures() {
+    sheet_name=$1 sheet_title=$2
+    shift 2
+    count=$#
+    while [ "$count" -gt 0 ]; do
+        set -- "$@" "$folder/pictures/figure$1.png" \
+            "$(awk -F'|' -v name="figure$1" '$1 == name { print $4 }' "$folder/data/index")"
+        shift
+        count=$((count - 1))
+    done
+    /usr/bin/python3 "$SOURCES/sheet.py" "$folder/$sheet_name.png" "$sheet_title" 3 "$@"
+}
+
+dithering() {
+    plot_figures
+    figures problem "8 bits without dither: slices of colour 255, and two bricks of them" \
+        05 10 11 08 15 07 12 13 14
+    figures dithered "Ordered and random dither of the opacity, and dithered rounding of the blend" \
+        16 18 22 23 24 25 26 27 28 29 30 31 32 33 34 55 56 39
+    figures bricks "Two bricks" 09 17 19 20 21 35
+    figures chunks "Two bricks, blended in chunks (section 7)" 42 43 44 45 46 47 48 49 50 51 52 53 54
+    figures bits12 "Frame buffers of 12 bits (section 4.1)" 36 37 38
+}
+
+[ $# -gt 0 ] || set -- wittenbrink kraus dithering
 for paper in "$@"; do
     compute "$paper"
     "$paper"
     echo "Wrote to $folder:"
-    (cd "$folder" && printf '  %s\n' table.md ./*.png pictures/)
+    (cd "$folder" && find . -maxdepth 1 -type f | sort | sed 's/^/  /' && echo "  ./pictures/")
 done

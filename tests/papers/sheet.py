@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""sheet.py FOLDER/SHEET.png TITLE COLUMNS PICTURE.ppm LABEL [PICTURE.ppm LABEL]...
+"""sheet.py FOLDER/SHEET.png TITLE COLUMNS PICTURE LABEL [PICTURE LABEL]...
 
-A contact sheet with a label below each picture, and each picture by itself as
-FOLDER/pictures/PICTURE.png. No picture is scaled.
+A contact sheet with a label below each picture. Each PICTURE.ppm is written by itself as
+FOLDER/pictures/PICTURE.png too. No picture is scaled.
 """
 import pathlib
 import sys
@@ -17,8 +17,9 @@ sheet_name, title, columns, *rest = sys.argv[1:]
 sheet_path, columns = pathlib.Path(sheet_name), int(columns)
 pictures = [Image.open(name) for name in rest[0::2]]
 labels = rest[1::2]
-for name, picture in zip(rest[0::2], pictures):
-    picture.save(sheet_path.parent / "pictures" / (pathlib.Path(name).stem + ".png"))
+for name, picture in zip(map(pathlib.Path, rest[0::2]), pictures):
+    if name.suffix == ".ppm":
+        picture.save(sheet_path.parent / "pictures" / (name.stem + ".png"))
 
 width = max(picture.width for picture in pictures) + GAP
 height = max(picture.height for picture in pictures) + LABEL + 2 * GAP

@@ -1,7 +1,7 @@
 #include "fog.h"
 
+#include "fx_alpha.h"
 #include "fx_blend.h"
-#include "fx_dither.h"
 
 #include <math.h>
 
@@ -26,37 +26,27 @@ static void accumulate_plain(double *levels, uint32_t count, double opacity, uns
 
 /* ---- The paper's dithers ------------------------------------------------------ */
 
-/* Where the second slope begins (section 4). */
-static uint32_t knee_of(double opacity)
+uint32_t ref_fog_dithered(const ref_fog *fog, uint32_t slice, uint32_t value)
 {
-    return fx_plateau(opacity <= 1 ? 1 : (uint32_t)opacity, 255);
-}
-
-static bool hit(const ref_fog *fog, const fx_period *period, uint32_t hits, uint32_t slice)
-{
+    const fx_alpha how = {fx_period_of(REF_FOG_PERIOD),
+                          {rounded(fog->slope[0] * 65536), rounded(fog->slope[1] * 65536)},
+                          255};
+    const uint32_t opacity = rounded(fog->opacity * 65536);
+    const uint32_t u = fx_dither_at(fx_dither_hash(slice), fog->pixel, 0, 0);
+    const uint32_t phase = (slice + fog->pixel) % REF_FOG_PERIOD;
     if (fog->technique == REF_FOG_RANDOM) {
-        const uint32_t u = fx_dither_at(fx_dither_hash(slice), fog->pixel, 0, 0);
-        return fx_hit_random(period, hits, u);
+        return fog->bumping ? fx_alpha_bumped_random(&how, opacity, u, value)
+                            : fx_alpha_random(&how, opacity, u);
     }
-    return fx_hit_ordered(period, hits, (slice + fog->pixel) % REF_FOG_PERIOD);
+    return fog->bumping ? fx_alpha_bumped(&how, opacity, phase, value)
+                        : fx_alpha_ordered(&how, opacity, phase);
 }
 
-/* Bump and slope never go back. */
 static void accumulate_hits(double *levels, uint32_t count, const ref_fog *fog)
 {
-    const fx_period period = fx_period_of(REF_FOG_PERIOD);
-    const uint32_t knee = knee_of(fog->opacity);
-    uint32_t value = 0, bump = 1;
-    bool second = false;
+    uint32_t value = 0;
     for (uint32_t n = 0; n < count; n++) {
-        second = second || value >= knee;
-        const uint32_t opacity = rounded(fog->opacity * fog->slope[second] * 65536);
-        const uint32_t base = opacity >> 16;
-        if (fog->bumping && fx_bump(value, base) > bump)
-            bump = fx_bump(value, base);
-        const uint32_t hits = fx_hits(&period, opacity, base, bump);
-        const uint32_t given = base + (hit(fog, &period, hits, n) ? bump : 0);
-        value = fx_blend_plain(value, 255, given, 8);
+        value = fx_blend_plain(value, 255, ref_fog_dithered(fog, n, value), 8);
         levels[n + 1] = value;
     }
 }

@@ -35,6 +35,9 @@ typedef struct ref_fog {
     uint32_t pixel; /* shifts the dither; the figures are those of 0 */
 } ref_fog;
 
+/* The paper's dithers: the opacity of 8 bits of a slice, where `value` has accumulated. */
+uint32_t ref_fog_dithered(const ref_fog *fog, uint32_t slice, uint32_t value);
+
 /* levels[n] after n slices, 0 <= n <= count. Those of 8.4 and 8.8 keep their fraction. */
 void ref_fog_accumulate(double *levels, uint32_t count, const ref_fog *fog);
 

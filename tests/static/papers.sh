@@ -118,6 +118,121 @@ check "Kraus: averages of opacity lose what averages of extinction keep" all_wit
 0.9 1 head-extinction-2
 ROWS
 
+# ---- Alpha dithering ---------------------------------------------------------------
+
+# The paper's numbers. Each line: lowest and highest that passes, place, what.
+dithering_says() {
+    while read -r low high row; do
+        found=$(awk -F' *[|] *' -v row="$row" '$2 ": " $3 == row { print $5; exit }' \
+            "$PAPERS_OUT/dithering/numbers.txt")
+        echo "$row: $found, wanted $low to $high"
+        [ -n "$found" ] || return 1
+        awk -v n="$found" -v low="$low" -v high="$high" 'BEGIN { exit !(n >= low && n <= high) }' ||
+            return 1
+    done
+}
+
+# Worst of the figures. Each line: columns (3: plain, 4: ordered, 6: ours, 7: ours with more
+# bits), the amount that it must have or, with "most", may have, figures.
+dithering_worst() {
+    while read -r column amount figures; do
+        for figure in $figures; do
+            awk -F' *[|] *' -v column="$column" -v amount="$amount" -v figure="$figure" '
+                NF == 10 && $2 == figure {
+                    split($(column + 2), worst, " ")
+                    worst[1] = worst[1] < 0 ? -worst[1] : worst[1]
+                    print "figure", figure, "column", column ":", worst[1], "wanted", amount
+                    limit = amount
+                    if (sub(/^most/, "", limit)) seen = worst[1] <= limit + 0
+                    else seen = worst[1] - limit < .051 && limit - worst[1] < .051
+                }
+                END { exit !seen }' "$PAPERS_OUT/dithering/numbers.txt" || return 1
+        done
+    done
+}
+
+check "Dithering: the paper's numbers" dithering_says <<'ROWS'
+153 153 section 5: colour 157 under a slice of opacity 7 and no colour
+100 100 figure 5: 8 bits, level after 100 slices
+82.86 82.86 figure 5: exact, level after 100 slices
+128 128 figure 5: 8 bits, level after 200 slices
+138.79 138.79 figure 5: exact, level after 200 slices
+160.5 161.4 figure 7: 8 bits, two bricks of 100 slices
+27.5 28.5 figure 7: 8 bits, AAP error in %
+8.3 9.1 figure 12: 8 bits, AAP error in %
+4.2 5 figure 13: 8 bits, AAP error in %
+49 49.9 figure 14: 8 bits, AAP error in %
+128 128 figure 18: ordered, level of the plateau
+49 49.9 figure 19: ordered, AAP error in %
+49 49.9 figure 20: ordered, AAP error in %
+24 24.8 figure 21: ordered, AAP error in %
+192 192 figure 34: ordered, level of the plateau of base + bump
+.54 .7 figure 35: ordered, AAP error in %, without sign
+149 153 figure 55: ordered, slice where the plateau begins
+225 234 figure 56: ordered, slice where the plateau begins
+4 60 figure 39: dithered apart, largest fall from a slice to the next
+0 0 figure 39: dithered rounding, largest fall
+0 4 figure 39: dithered rounding, worst difference in levels
+ROWS
+
+check "Dithering: how far the published curves are off" dithering_worst <<'ROWS'
+4 2.9 24
+4 10.8 16
+4 11.5 25
+4 9.7 23 26
+4 13.3 27
+4 14.0 28
+4 8.9 29
+4 9.0 30
+4 26.3 31
+4 33.0 32
+3 7.0 36
+3 17.4 37
+3 2.9 38
+ROWS
+
+# Levels, then percent: two bricks of 200, 400 or 500 slices, and of 1000.
+check "Dithering: how far ours are off" dithering_worst <<'ROWS'
+6 most4 5 8 10 11 15 16 18 22 23 24 25 26 27 28 29 30 31 32 33 34 36 37 38 55 56
+7 most.2 5 8 10 11 15 16 18 22 23 24 25 26 27 28 29 30 31 32 33 34 55 56
+7 most.35 36 37 38
+6 most3.5 7 9 12 13 52 53 54
+6 most1 14 19 20 21 35 42 43 44 45 46 47 48 49 50 51
+7 most.05 7 9 12 13 14 19 20 21 35 42 43 44 45 46 47 48 49 50 51 52 53 54
+ROWS
+
+cat >"$work/table1" <<'ROWS'
+128 2 192 3 213 4 224 5 230 6 234 7 237 8 240 9 241 10 243 11 244 12 245 13 246 15 247 16
+248 19 249 22 250 26 251 32 252 43 253 64 254 128
+ROWS
+dithering_table1() {
+    xargs -n 2 <"$work/table1" >"$work/expected"
+    awk '$1 + 0 > 0 && NF == 2 { print $1, $2 }' "$PAPERS_OUT/dithering/table1.txt" |
+        diff "$work/expected" -
+}
+check "Dithering: table 1" dithering_table1
+
+# 1 in 4 of the six rows of .25, as far apart as they can be, and not the row above; the rest as
+# it is. The sum of all is 532.5.
+dithering_table3() {
+    awk '$1 ~ /^[0-9]+$/ && NF == 10 {
+            rows++
+            total += $10
+            pattern = ""
+            for (slice = 0; slice < 8; slice++) {
+                pattern = pattern " " $(slice + 2)
+                bad = bad || $10 != .25 && $(slice + 2) != $10 ||
+                    $10 == .25 && $(slice + 2) != $((slice + 4) % 8 + 2)
+                sum += $10 == .25 ? $(slice + 2) : 0
+            }
+            bad = bad || pattern == above
+            above = $10 == .25 ? pattern : ""
+        }
+        END { print rows, sum, total / rows; exit bad || rows != 25 || sum != 12 || total != 532.5 }' \
+        "$PAPERS_OUT/dithering/table3.txt"
+}
+check "Dithering: table 3" dithering_table3
+
 # ---- Pictures -------------------------------------------------------------------
 
 # Each is a PNG of that size (0: any) and shows something.
@@ -156,4 +271,11 @@ check "Kraus: figures 5 to 7 at 512x512" pictures_exist kraus 512 \
     pictures/wall-opacity-0.7 pictures/wall-opacity-1.7 pictures/wall-opacity-2.2 \
     pictures/wall-extinction-0.7 pictures/wall-extinction-1.7 pictures/wall-extinction-2.2 \
     pictures/scattered-opacity pictures/scattered-extinction
+
+check "Dithering: sheets" pictures_exist dithering 0 problem dithered bricks chunks bits12
+set --
+for figure in 05 $(seq -f %02.0f 7 39) $(seq 42 56); do
+    set -- "$@" "pictures/figure$figure"
+done
+check "Dithering: figures 5, 7 to 39 and 42 to 56" pictures_exist dithering 760 "$@"
 finish

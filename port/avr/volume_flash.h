@@ -1,0 +1,39 @@
+/*
+ * volume_flash.h - voxels, palettes and scalars in program memory, anywhere in its 128 KB:
+ * pointers reach the lower half alone, so addresses are numbers (QV_MEMORY_HEADER).
+ */
+#ifndef VOLUME_FLASH_H
+#define VOLUME_FLASH_H
+
+#include <avr/pgmspace.h>
+
+typedef uint_farptr_t qv_address; /* a byte of the flash; 0, the reset vector, is none */
+typedef int32_t qv_offset;
+
+/* Where the linker puts what is read by far addresses alone: toolchain/atmega1284p.ld. */
+#define FLASH_VOLUME __attribute__((section(".volume")))
+
+/* The address of an object with a name of its own; no constant, as pointers are shorter. */
+#define FLASH_ADDRESS(object) (__extension__ pgm_get_far_address(object))
+
+static inline qv_address qv_at(qv_address base, qv_offset offset)
+{
+    return base + (qv_address)offset;
+}
+
+static inline uint8_t qv_read8(qv_address address)
+{
+    return pgm_read_byte_far(address);
+}
+
+static inline uint16_t qv_read16(qv_address address)
+{
+    return pgm_read_word_far(address);
+}
+
+static inline int qv_aligned(qv_address address, unsigned alignment)
+{
+    return ((unsigned)address & (alignment - 1u)) == 0;
+}
+
+#endif /* VOLUME_FLASH_H */
