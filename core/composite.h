@@ -56,9 +56,8 @@ FX_INLINE void qv_over(qv_light *light, const uint32_t sample[3], uint32_t opaci
 /* The same for 2^31 * 65535 / 65536: colours weighted by the extinction of opacities. */
 #define QV_READ_OUT_CONVERTED 66847740u
 
-/* The factors of fx_light_of for the same units: 255 * 2^55 / unit, rounded to nearest. */
-#define QV_LIGHT_8         2155905153u
-#define QV_LIGHT_16        2139160321u
-#define QV_LIGHT_CONVERTED 4278255361u
+/* The factor of fx_light_of for the unit of a read-out: 255 * 2^55 / unit, rounded to nearest.
+   Of the three, 64 times the read-out is 1 too small. */
+#define QV_LIGHT_OF(read_out) (64u * (read_out) + 1u)
 
 #endif /* QV_COMPOSITE_H */

@@ -645,6 +645,7 @@ typedef struct qv_blend {
     void (*read)(struct qv_fragment *fragment, const uint8_t *pixel, const uint8_t *beside);
     uint8_t bytes;  /* of a pixel */
     uint8_t beside; /* bytes of what is kept beside a pixel, 0 where nothing is */
+    uint8_t kind;   /* of the families below, core/blend.h */
 } qv_blend;
 
 /*

@@ -28,6 +28,10 @@ typedef struct qv_ray {
     int64_t enter, leave; /* of modes that weigh by length: where the way begins and ends */
 } qv_ray;
 
+/* `first` of a ray whose way ends at the borders of one slice: `enter` and `leave` hold them
+   before it is clipped. */
+#define QV_ONE_SLICE (-QV_GRID_LIMIT - 1)
+
 /*
  * Clips a ray to the box of a scene's volume: from then on it stands at its first sample
  * k >= first with 0 <= p < size on every axis, and all and samples count those up to the

@@ -92,11 +92,18 @@ int32_t qv_stretch_of(int64_t position)
     return (int32_t)fx_shift_floor(position + QV_HALF_STEP, QV_STEP_BITS);
 }
 
+int64_t qv_path_begin(const qv_ray *ray, const qv_scene *scene)
+{
+    return ray->first == 0 ? -((int64_t)scene->phase << LENGTH_SHIFT) : -FARTHEST;
+}
+
 void qv_path_clip(qv_ray *ray, const qv_context *context)
 {
     const qv_scene *scene = &context->scene;
-    ray->enter = ray->first == 0 ? -((int64_t)scene->phase << LENGTH_SHIFT) : -FARTHEST;
-    ray->leave = FARTHEST;
+    if (ray->first != QV_ONE_SLICE) {
+        ray->enter = qv_path_begin(ray, scene);
+        ray->leave = FARTHEST;
+    }
     for (unsigned axis = 0; axis < 3; axis++)
         narrow_to_slab(ray, axis, (qv_coord)scene->volume.size[axis] << 32);
     ray->all = 0;

@@ -24,9 +24,12 @@ typedef struct qv_run {
 /* The number of the stretch that a position lies in. */
 int32_t qv_stretch_of(int64_t position);
 
+/* Where the way of a ray may begin, as its projection made it: at the eye, if it has one. */
+int64_t qv_path_begin(const qv_ray *ray, const qv_scene *scene);
+
 /*
  * Finds enter and leave of a ray: the way through the box of the scene's volume, in
- * perspective from the eye on. place stays. all and samples count the pieces, 0 where the
+ * perspective from the eye on, of one slice within its borders. place stays. all and samples count the pieces, 0 where the
  * ray misses.
  * enter and leave are cut to 2^-23 step towards sample 0.
  */

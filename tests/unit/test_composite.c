@@ -235,9 +235,9 @@ static void light_factors(void **state)
     const uint64_t light = (uint64_t)255 << 55;
     (void)state;
 
-    assert_int_equal(QV_LIGHT_8, (light + COLOUR8 / 2) / COLOUR8);
-    assert_int_equal(QV_LIGHT_16, (light + COLOUR16 / 2) / COLOUR16);
-    assert_int_equal(QV_LIGHT_CONVERTED, (light + CONVERTED / 2) / CONVERTED);
+    assert_int_equal(QV_LIGHT_OF(QV_READ_OUT_8), (light + COLOUR8 / 2) / COLOUR8);
+    assert_int_equal(QV_LIGHT_OF(QV_READ_OUT_16), (light + COLOUR16 / 2) / COLOUR16);
+    assert_int_equal(QV_LIGHT_OF(QV_READ_OUT_CONVERTED), (light + CONVERTED / 2) / CONVERTED);
 }
 
 /* Full light of either storage is exactly the level 1, and none is 0. */

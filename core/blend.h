@@ -1,0 +1,168 @@
+/*
+ * blend.h - what a slice shows in a pixel, and how a frame buffer keeps pixels.
+ *
+ * Source: Williams et al., alpha dithering for 8-bit compositing: equations 1, 4 and 6 .. 8.
+ */
+#ifndef QV_BLEND_H
+#define QV_BLEND_H
+
+#include "fx_alpha.h"
+#include "fx_blend.h"
+#include "qvol.h"
+
+/* What a slice, or a picture that stands for slices, shows in one pixel. */
+typedef struct qv_fragment {
+    uint32_t light[3]; /* associated colour, levels Q8.23; may pass the opacity's by roundings */
+    uint32_t opacity;  /* Q0.32, 2^32 - 1 is 1 */
+} qv_fragment;
+
+/* How a slice is dithered, in one pixel. */
+typedef struct qv_moment {
+    uint32_t u;              /* dither value */
+    uint32_t phase;          /* of the slice in the period; of techniques, as alpha is */
+    fx_alpha alpha;          /* what equation 9 goes by */
+    qv_technique *technique; /* null for blends that need none */
+} qv_moment;
+
+/* The families of blends. */
+enum { QV_OVER = 1, QV_UNDER = 2, QV_HARDWARE = 3, QV_HAND_OUT = 4 };
+
+/* The moment of a slice for pixels that are not shifted against each other. Nothing is
+   written on error: QV_ERROR_NULL, QV_ERROR_DITHER, QV_ERROR_SLICE. */
+qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blend *blend,
+                       int32_t slice);
+
+/* Shifts the moment of a slice to the pixel (x, y) of the dither's frame. */
+void qv_moment_shift(qv_moment *pixel, const qv_moment *slice, const qv_dither *dither, int32_t x,
+                     int32_t y);
+
+/* ---- States in memory ------------------------------------------------------- */
+
+/* How the states of a pixel's channels lie in memory. */
+typedef enum {
+    QV_PLAIN,     /* whole bytes, lowest first */
+    QV_PACKED,    /* 12 bits each */
+    QV_RESIDUALS, /* levels, and beside them residuals */
+    QV_565
+} qv_packing;
+
+typedef struct qv_states {
+    unsigned channels; /* 3, or 4 with the opacity */
+    unsigned fraction; /* bits of a state beyond the level's 8 */
+    qv_packing packing;
+} qv_states;
+
+/* Bytes of a pixel. */
+#define QV_PIXEL_BYTES(channels, fraction) ((channels) * (8 + (fraction)) / 8)
+
+/* A state of 8, 16 or 24 bits. */
+FX_INLINE uint32_t qv_bytes_read(const uint8_t *at, unsigned bytes)
+{
+    uint32_t v = at[0];
+    if (bytes > 1)
+        v |= (uint32_t)at[1] << 8;
+    if (bytes > 2)
+        v |= (uint32_t)at[2] << 16;
+    return v;
+}
+
+FX_INLINE void qv_bytes_write(uint8_t *at, unsigned bytes, uint32_t v)
+{
+    at[0] = (uint8_t)(v & 0xFFu);
+    if (bytes > 1)
+        at[1] = (uint8_t)(v >> 8 & 0xFFu);
+    if (bytes > 2)
+        at[2] = (uint8_t)(v >> 16);
+}
+
+/* Residual c of a pixel: 8 bits each, or 4, those of even channels in the lower half. */
+FX_INLINE int32_t qv_residual_read(const uint8_t *beside, unsigned c, unsigned fraction)
+{
+    int32_t v = fraction == 8 ? beside[c] : beside[c >> 1] >> 4u * (c & 1u) & 15;
+    int32_t half = (int32_t)1 << (fraction - 1u);
+    return v < half ? v : v - 2 * half;
+}
+
+/* Written in the order of channels: an even one clears the half above it. */
+FX_INLINE void qv_residual_write(uint8_t *beside, unsigned c, unsigned fraction, int32_t residual)
+{
+    uint32_t v = (uint32_t)residual & (((uint32_t)1 << fraction) - 1u);
+    if (fraction == 8)
+        beside[c] = (uint8_t)v;
+    else if ((c & 1u) == 0)
+        beside[c >> 1] = (uint8_t)v;
+    else
+        beside[c >> 1] = (uint8_t)(beside[c >> 1] | v << 4);
+}
+
+FX_INLINE void qv_states_read(uint32_t state[4], const uint8_t *pixel, const uint8_t *beside,
+                              const qv_states *of)
+{
+    unsigned bytes = 1u + of->fraction / 8u;
+    if (of->packing == QV_565) {
+        uint32_t v = qv_bytes_read(pixel, 2);
+        state[0] = v >> 11;
+        state[1] = v >> 5 & 63u;
+        state[2] = v & 31u;
+    } else if (of->packing == QV_PACKED) {
+        uint32_t low = qv_bytes_read(pixel, 3), high = qv_bytes_read(pixel + 3, 3);
+        state[0] = low & 0xFFFu;
+        state[1] = low >> 12;
+        state[2] = high & 0xFFFu;
+        state[3] = high >> 12;
+    } else if (of->packing == QV_RESIDUALS) {
+        for (unsigned c = 0; c < of->channels; c++)
+            state[c] =
+                fx_state_of(pixel[c], qv_residual_read(beside, c, of->fraction), of->fraction);
+    } else {
+        for (unsigned c = 0; c < of->channels; c++)
+            state[c] = qv_bytes_read(pixel + bytes * c, bytes);
+    }
+}
+
+FX_INLINE void qv_states_write(uint8_t *pixel, uint8_t *beside, const uint32_t state[4],
+                               const qv_states *of)
+{
+    unsigned bytes = 1u + of->fraction / 8u;
+    if (of->packing == QV_565) {
+        qv_bytes_write(pixel, 2, state[0] << 11 | state[1] << 5 | state[2]);
+    } else if (of->packing == QV_PACKED) {
+        qv_bytes_write(pixel, 3, state[0] | state[1] << 12);
+        qv_bytes_write(pixel + 3, 3, state[2] | state[3] << 12);
+    } else if (of->packing == QV_RESIDUALS) {
+        for (unsigned c = 0; c < of->channels; c++) {
+            pixel[c] = (uint8_t)fx_level_of(state[c], of->fraction);
+            qv_residual_write(beside, c, of->fraction, fx_residual_of(state[c], of->fraction));
+        }
+    } else {
+        for (unsigned c = 0; c < of->channels; c++)
+            qv_bytes_write(pixel + bytes * c, bytes, state[c]);
+    }
+}
+
+/* States back to a fragment. Three channels hide what is behind. */
+FX_INLINE void qv_states_fragment(qv_fragment *fragment, const uint32_t state[4],
+                                  const qv_states *of)
+{
+    for (unsigned c = 0; c < 3; c++)
+        fragment->light[c] = state[c] << (23u - of->fraction); /* <= 255 * 2^23 */
+    fragment->opacity =
+        of->channels == 4 ? fx_opacity_of_level(state[3] << (16u - of->fraction)) : 0xFFFFFFFFu;
+}
+
+/* A state of 5 or 6 bits as light, to nearest. */
+FX_INLINE uint32_t qv_light_of_narrow(uint32_t state, uint32_t full)
+{
+    return (uint32_t)fx_divide(fx_wide_product(state, FX_LIGHT_ONE) + full / 2u, full);
+}
+
+/* A picture's light, of 5 and 6 bits. */
+FX_INLINE void qv_fragment_of_565(qv_fragment *fragment, const uint32_t state[3])
+{
+    fragment->light[0] = qv_light_of_narrow(state[0], 31);
+    fragment->light[1] = qv_light_of_narrow(state[1], 63);
+    fragment->light[2] = qv_light_of_narrow(state[2], 31);
+    fragment->opacity = 0xFFFFFFFFu;
+}
+
+#endif /* QV_BLEND_H */

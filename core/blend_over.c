@@ -1,0 +1,107 @@
+#include "blend.h"
+
+/* A blend is dithered, or rounded, by what its states have left. */
+FX_INLINE uint32_t blended(uint32_t state, uint32_t light, uint32_t opacity, uint32_t most,
+                           uint32_t u, unsigned fraction)
+{
+    light = light < most ? light : most;
+    if (fraction == 16)
+        return fx_blend_8_16(state, light, opacity, u);
+    return fx_blend_dithered(state, light, opacity, u, fraction);
+}
+
+/* Equations 6 and 7, 4 and 8. */
+FX_INLINE void over(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment, uint32_t u,
+                    const qv_states *of)
+{
+    int wide = of->fraction == 16;
+    uint32_t opacity = wide ? fragment->opacity : fx_opacity_q23(fragment->opacity);
+    uint32_t most = wide ? fx_light_of_colour32(255, opacity) : fx_light_of_colour(255, opacity);
+    uint32_t state[4];
+    qv_states_read(state, pixel, beside, of);
+    for (unsigned c = 0; c < 3; c++)
+        state[c] = blended(state[c], fragment->light[c], opacity, most, u, of->fraction);
+    if (of->channels == 4)
+        state[3] = blended(state[3], most, opacity, most, u, of->fraction);
+    qv_states_write(pixel, beside, state, of);
+}
+
+FX_INLINE void clear(uint8_t *pixel, uint8_t *beside, const qv_fragment *background,
+                     const qv_states *of)
+{
+    static const uint32_t nothing[4] = {0, 0, 0, 0};
+    qv_states_write(pixel, beside, nothing, of);
+    over(pixel, beside, background, FX_NO_DITHER, of);
+}
+
+/* Defines a blend of states. A macro because the descriptors are public names. */
+#define DEFINE_OVER(name, number, bits, packed, pixel_bytes, beside_bytes)                         \
+    static const qv_states name##_states = {number, bits, packed};                                 \
+    static void blend_##name(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment,         \
+                             const qv_moment *moment)                                              \
+    {                                                                                              \
+        over(pixel, beside, fragment, moment->u, &name##_states);                                  \
+    }                                                                                              \
+    static void clear_##name(uint8_t *pixel, uint8_t *beside, const qv_fragment *background)       \
+    {                                                                                              \
+        clear(pixel, beside, background, &name##_states);                                          \
+    }                                                                                              \
+    static void read_##name(qv_fragment *fragment, const uint8_t *pixel, const uint8_t *beside)    \
+    {                                                                                              \
+        uint32_t state[4];                                                                         \
+        qv_states_read(state, pixel, beside, &name##_states);                                      \
+        qv_states_fragment(fragment, state, &name##_states);                                       \
+    }                                                                                              \
+    const qv_blend qv_over_##name = {blend_##name, clear_##name, read_##name,                      \
+                                     pixel_bytes,  beside_bytes, QV_OVER};
+
+DEFINE_OVER(rgb888, 3, 0, QV_PLAIN, 3, 0)
+DEFINE_OVER(rgba8888, 4, 0, QV_PLAIN, 4, 0)
+DEFINE_OVER(rgb888_residual4, 3, 4, QV_RESIDUALS, 3, 2)
+DEFINE_OVER(rgba8888_residual4, 4, 4, QV_RESIDUALS, 4, 2)
+DEFINE_OVER(rgb888_residual8, 3, 8, QV_RESIDUALS, 3, 3)
+DEFINE_OVER(rgba8888_residual8, 4, 8, QV_RESIDUALS, 4, 4)
+DEFINE_OVER(rgba12, 4, 4, QV_PACKED, 6, 0)
+DEFINE_OVER(rgb16, 3, 8, QV_PLAIN, 6, 0)
+DEFINE_OVER(rgba16, 4, 8, QV_PLAIN, 8, 0)
+DEFINE_OVER(rgb24, 3, 16, QV_PLAIN, 9, 0)
+DEFINE_OVER(rgba24, 4, 16, QV_PLAIN, 12, 0)
+
+/* ---- 5 and 6 bits --------------------------------------------------------- */
+
+static const qv_states states_565 = {3, 0, QV_565};
+
+static void blend_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment,
+                      const qv_moment *moment)
+{
+    static const uint32_t factor[3] = {FX_FACTOR_5, FX_FACTOR_6, FX_FACTOR_5};
+    uint32_t opacity = fx_opacity_q23(fragment->opacity);
+    uint32_t most = fx_light_of_colour(255, opacity);
+    uint32_t state[4];
+    (void)beside;
+    qv_states_read(state, pixel, 0, &states_565);
+    for (unsigned c = 0; c < 3; c++) {
+        uint32_t light = fragment->light[c] < most ? fragment->light[c] : most;
+        light = fx_light_narrow(light, factor[c]);
+        state[c] = fx_blend_dithered(state[c], light, opacity, moment->u, 0);
+    }
+    qv_states_write(pixel, 0, state, &states_565);
+}
+
+static void clear_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *background)
+{
+    static const uint32_t nothing[4] = {0, 0, 0, 0};
+    const qv_moment rounded = {.u = FX_NO_DITHER};
+    qv_states_write(pixel, 0, nothing, &states_565);
+    blend_565(pixel, beside, background, &rounded);
+}
+
+static void read_565(qv_fragment *fragment, const uint8_t *pixel, const uint8_t *beside)
+{
+    uint32_t state[4];
+    (void)beside;
+    qv_states_read(state, pixel, 0, &states_565);
+    qv_fragment_of_565(fragment, state);
+}
+
+const qv_blend qv_over_rgb565 = {blend_565, clear_565, read_565, 2, 0, QV_OVER};

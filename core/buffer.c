@@ -1,0 +1,82 @@
+#include "buffer.h"
+#include "image.h"
+
+/* Rows of a rectangle's pixels, of so many bytes each, as those of an image. */
+static qv_status check_plane(void *pixels, size_t bytes, ptrdiff_t stride, unsigned pixel_bytes,
+                             const qv_rect *rect)
+{
+    const qv_format format = {0, (uint8_t)(8u * pixel_bytes), 0};
+    const qv_image image = {pixels, bytes, stride, &format};
+    const qv_progress none = {0, 0, 0, 0, 0};
+    return qv_image_check(&image, &none, rect);
+}
+
+qv_status qv_buffer_check(const qv_buffer *buffer, const qv_rect *rect)
+{
+    if (!buffer || !buffer->blend)
+        return QV_ERROR_NULL;
+    const qv_blend *blend = buffer->blend;
+    qv_status status =
+        check_plane(buffer->pixels, buffer->bytes, buffer->stride, blend->bytes, rect);
+    if (status == QV_OK && blend->beside != 0)
+        status = check_plane(buffer->beside, buffer->beside_bytes, buffer->beside_stride,
+                             blend->beside, rect);
+    return status;
+}
+
+/* Pixels without bytes have room anywhere. */
+qv_status qv_rect_check(const qv_rect *rect)
+{
+    uint8_t anywhere;
+    return check_plane(&anywhere, 1, 0, 0, rect);
+}
+
+/* The background, over nothing: associated, from levels with 17 fraction bits. */
+static void background_of(qv_fragment *fragment, const qv_context *context)
+{
+    for (unsigned c = 0; c < 3; c++)
+        fragment->light[c] = context->background[c] << 6; /* <= 255 * 2^23 */
+    fragment->opacity = (uint32_t)context->scene.background[3] * 0x01010101u;
+}
+
+qv_status qv_clear(const qv_buffer *buffer, const qv_context *context, const qv_rect *rect)
+{
+    qv_status status = context ? qv_buffer_check(buffer, rect) : QV_ERROR_NULL;
+    if (status != QV_OK)
+        return status;
+    unsigned width = (unsigned)(rect->right - rect->left);
+    unsigned height = (unsigned)(rect->bottom - rect->top);
+    qv_fragment background;
+    background_of(&background, context);
+    for (unsigned line = 0; line < height; line++)
+        for (unsigned column = 0; column < width; column++)
+            buffer->blend->clear(qv_buffer_pixel(buffer, column, line),
+                                 qv_buffer_beside(buffer, column, line), &background);
+    return QV_OK;
+}
+
+qv_status qv_combine(const qv_buffer *behind, const qv_buffer *front, const qv_dither *dither,
+                     const qv_rect *rect, int32_t slice)
+{
+    qv_moment of_slice, moment;
+    qv_status status = qv_buffer_check(behind, rect);
+    if (status == QV_OK)
+        status = qv_buffer_check(front, rect);
+    if (status == QV_OK)
+        status = qv_moment_of(&of_slice, dither, behind->blend, slice);
+    if (status != QV_OK)
+        return status;
+    moment = of_slice;
+    unsigned width = (unsigned)(rect->right - rect->left);
+    unsigned height = (unsigned)(rect->bottom - rect->top);
+    for (unsigned line = 0; line < height; line++)
+        for (unsigned column = 0; column < width; column++) {
+            qv_fragment fragment;
+            qv_buffer_read(&fragment, front, column, line);
+            qv_moment_shift(&moment, &of_slice, dither, rect->left + (int32_t)column,
+                            rect->top + (int32_t)line);
+            behind->blend->blend(qv_buffer_pixel(behind, column, line),
+                                 qv_buffer_beside(behind, column, line), &fragment, &moment);
+        }
+    return QV_OK;
+}

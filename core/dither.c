@@ -1,0 +1,119 @@
+#include "blend.h"
+#include "ray.h"
+
+#define MOST_SLOPE ((uint32_t)16 << 16)
+
+/* ---- Dither values -------------------------------------------------------- */
+
+uint32_t qv_sequence_rounded(uint32_t slice)
+{
+    (void)slice;
+    return FX_NO_DITHER;
+}
+
+uint32_t qv_sequence_golden(uint32_t slice)
+{
+    return fx_dither_golden(slice);
+}
+
+uint32_t qv_sequence_hash(uint32_t slice)
+{
+    return fx_dither_hash(slice);
+}
+
+uint32_t qv_sequence_blocks(uint32_t slice)
+{
+    return fx_dither_blocks(slice);
+}
+
+/* ---- Techniques ----------------------------------------------------------- */
+
+uint32_t qv_technique_rounded(const qv_moment *moment, uint32_t opacity, uint32_t value,
+                              uint32_t colour)
+{
+    (void)moment;
+    (void)value;
+    (void)colour;
+    return fx_alpha_rounded(opacity);
+}
+
+uint32_t qv_technique_random(const qv_moment *moment, uint32_t opacity, uint32_t value,
+                             uint32_t colour)
+{
+    (void)value;
+    (void)colour;
+    return fx_alpha_random(&moment->alpha, opacity, moment->u);
+}
+
+uint32_t qv_technique_ordered(const qv_moment *moment, uint32_t opacity, uint32_t value,
+                              uint32_t colour)
+{
+    (void)value;
+    (void)colour;
+    return fx_alpha_ordered(&moment->alpha, opacity, moment->phase);
+}
+
+/* Its bumps are made for colour 255: what counts is how far the value is from the colour. */
+uint32_t qv_technique_bumped(const qv_moment *moment, uint32_t opacity, uint32_t value,
+                             uint32_t colour)
+{
+    uint32_t way = colour > value ? colour - value : value - colour;
+    return fx_alpha_bumped(&moment->alpha, opacity, moment->phase, 255u - way);
+}
+
+uint32_t qv_technique_corrected(const qv_moment *moment, uint32_t opacity, uint32_t value,
+                                uint32_t colour)
+{
+    return fx_alpha_corrected(opacity, colour, value, moment->u);
+}
+
+/* ---- Moments -------------------------------------------------------------- */
+
+static int in_range(const qv_dither *dither)
+{
+    if (dither->period < 2 || dither->period > 64)
+        return 0;
+    return dither->slope[0] <= MOST_SLOPE && dither->slope[1] <= MOST_SLOPE;
+}
+
+static uint32_t slope_of(uint32_t slope)
+{
+    return slope == 0 ? QV_ONE_Q16 : slope;
+}
+
+qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blend *blend,
+                       int32_t slice)
+{
+    int by_technique = blend->kind == QV_HARDWARE || blend->kind == QV_HAND_OUT;
+    if (!dither)
+        return QV_ERROR_NULL;
+    if (!dither->sequence || (by_technique && (!dither->technique || !in_range(dither))))
+        return QV_ERROR_DITHER;
+    if (slice <= -QV_GRID_LIMIT || slice >= QV_GRID_LIMIT)
+        return QV_ERROR_SLICE;
+    uint32_t number = (uint32_t)(slice + QV_GRID_LIMIT);
+    moment->u = dither->sequence(number);
+    moment->technique = 0;
+    if (!by_technique)
+        return QV_OK;
+    moment->technique = dither->technique;
+    moment->alpha.period = fx_period_of(dither->period);
+    moment->alpha.slope[0] = slope_of(dither->slope[0]);
+    moment->alpha.slope[1] = slope_of(dither->slope[1]);
+    moment->alpha.cutoff = dither->cutoff == 0 ? 255u : dither->cutoff;
+    moment->phase = fx_phase(&moment->alpha.period, number);
+    return QV_OK;
+}
+
+void qv_moment_shift(qv_moment *pixel, const qv_moment *slice, const qv_dither *dither, int32_t x,
+                     int32_t y)
+{
+    uint32_t shift = dither->still ? fx_dither_at(0, 0, 0, dither->frame)
+                                   : fx_dither_at(0, (uint32_t)x, (uint32_t)y, dither->frame);
+    pixel->u = slice->u + shift;
+    if (!slice->technique)
+        return;
+    uint32_t slices = slice->alpha.period.slices;
+    uint32_t phase = slice->phase + (((shift >> 16) * slices) >> 16); /* < 2 slices */
+    pixel->phase = phase < slices ? phase : phase - slices;
+}

@@ -1,0 +1,120 @@
+#include "buffer.h"
+#include "composite.h"
+#include "stretch.h"
+
+/* Voxels from a sample to the next where no other sample is to lie in the box. */
+#define BEYOND ((qv_coord)1 << 45)
+
+/* ---- The ray of one slice --------------------------------------------------- */
+
+/* One sample: the ray stands still there, as far as the box goes. 0 where it lies outside. */
+static int place_sample(qv_ray *ray, const qv_context *context, int32_t slice)
+{
+    if (slice < ray->first)
+        return 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        /* below 2^62 + 2^22 * 2^40 */
+        qv_coord point = ray->place[axis] + fx_multiply(ray->advance[axis], slice);
+        if (point < 0 || point >= (qv_coord)context->scene.volume.size[axis] << 32)
+            return 0;
+        ray->place[axis] = point;
+        ray->advance[axis] = 0;
+    }
+    ray->advance[0] = BEYOND;
+    ray->first = 0;
+    return 1;
+}
+
+/* One stretch, from border to border, or from the eye. */
+static int place_stretch(qv_ray *ray, const qv_context *context, int32_t slice)
+{
+    int64_t begin = qv_path_begin(ray, &context->scene);
+    ray->enter = slice * QV_STEP - QV_HALF_STEP;
+    ray->leave = slice * QV_STEP + QV_HALF_STEP;
+    if (ray->enter < begin)
+        ray->enter = begin;
+    ray->first = QV_ONE_SLICE;
+    return ray->enter < ray->leave;
+}
+
+/* What a pixel sees of a slice; 0 where that is nothing. */
+static int see(qv_fragment *fragment, const qv_context *context, int32_t x, int32_t y,
+               int32_t slice)
+{
+    const qv_sampling *sampling = context->scene.sampling;
+    qv_ray ray;
+    qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
+    if (!context->scene.camera.projection->ray(&ray, context, x, y))
+        return 0;
+    int placed = sampling->by_length ? place_stretch(&ray, context, slice)
+                                     : place_sample(&ray, context, slice);
+    if (!placed)
+        return 0;
+    sampling->march(&light, &ray, context);
+    if (light.transmittance == QV_CLEAR)
+        return 0;
+    for (unsigned c = 0; c < 3; c++) /* colours stay below 2^31 + 2^22 */
+        fragment->light[c] = 2u * fx_high_product(light.colour[c], QV_LIGHT_OF(sampling->read_out));
+    fragment->opacity =
+        light.transmittance == 0 ? 0xFFFFFFFFu : (QV_CLEAR - light.transmittance) << 1;
+    return 1;
+}
+
+qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_context *context,
+                   const qv_rect *rect, int32_t slice)
+{
+    qv_moment of_slice, moment;
+    qv_status status = context ? qv_buffer_check(buffer, rect) : QV_ERROR_NULL;
+    if (status == QV_OK)
+        status = qv_moment_of(&of_slice, dither, buffer->blend, slice);
+    if (status != QV_OK)
+        return status;
+    moment = of_slice;
+    for (int32_t y = rect->top; y < rect->bottom; y++)
+        for (int32_t x = rect->left; x < rect->right; x++) {
+            unsigned column = (unsigned)(x - rect->left), line = (unsigned)(y - rect->top);
+            qv_fragment fragment = {{0, 0, 0}, 0};
+            if (!see(&fragment, context, x, y, slice) && buffer->blend->kind != QV_HAND_OUT)
+                continue;
+            qv_moment_shift(&moment, &of_slice, dither, x, y);
+            buffer->blend->blend(qv_buffer_pixel(buffer, column, line),
+                                 qv_buffer_beside(buffer, column, line), &fragment, &moment);
+        }
+    return QV_OK;
+}
+
+/* ---- The slices of a rectangle ------------------------------------------------ */
+
+/* Extends a range by the slices that a pixel may see, and one at each end. */
+static void extend(int32_t *first, int32_t *end, const qv_context *context, int32_t x, int32_t y)
+{
+    qv_ray ray;
+    if (!context->scene.camera.projection->ray(&ray, context, x, y))
+        return;
+    qv_path_clip(&ray, context);
+    if (ray.samples == 0)
+        return;
+    int32_t nearest = qv_stretch_of(ray.enter) - 1, farthest = qv_stretch_of(ray.leave) + 1;
+    if (*first == *end) {
+        *first = nearest;
+        *end = farthest + 1;
+    }
+    if (nearest < *first)
+        *first = nearest;
+    if (farthest >= *end)
+        *end = farthest + 1;
+}
+
+qv_status qv_slice_range(int32_t *first, int32_t *end, const qv_context *context,
+                         const qv_rect *rect)
+{
+    qv_status status = first && end && context ? qv_rect_check(rect) : QV_ERROR_NULL;
+    if (status != QV_OK)
+        return status;
+    *first = 0;
+    *end = 0;
+    for (int32_t y = rect->top; y < rect->bottom; y++)
+        for (int32_t x = rect->left; x < rect->right; x++)
+            extend(first, end, context, x, y);
+    return QV_OK;
+}
