@@ -52,7 +52,7 @@ static unsigned colours_of(uint32_t colour[3], const qv_fragment *fragment, uint
 /* The opacity in levels with 16 fraction bits: 2^32 - 1 is 255 * 65536. */
 static uint32_t level_of(uint32_t opacity)
 {
-    return fx_high_product(opacity, 255u << 16);
+    return fx_high_product(opacity, (uint32_t)255 << 16);
 }
 
 /*
@@ -224,7 +224,7 @@ static uint32_t unorm12(uint32_t level)
 static void blend_12(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment,
                      const qv_moment *moment)
 {
-    uint32_t wide = fx_high_product(fragment->opacity, 4095u << 16);
+    uint32_t wide = fx_high_product(fragment->opacity, (uint32_t)4095 << 16);
     uint32_t opacity = (wide + 32768u) >> 16, part = fx_opacity_q23(fragment->opacity);
     uint32_t state[4], colour[3];
     (void)beside;
