@@ -33,6 +33,7 @@ GOLDEN_ON_DEVICE := $(addprefix tests/golden/,golden_device.c scenes.c volume.c 
 FIRMWARE_golden_steps := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_steps_device.c set_steps.c)
 FIRMWARE_golden_lengths := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_lengths_device.c set_lengths.c)
 FIRMWARE_golden_bsplines := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_bsplines_device.c set_bsplines.c)
+FIRMWARE_golden_slices := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_slices_device.c set_slices.c render_slices.c)
 FIRMWARE_bench := tests/bench/bench_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c

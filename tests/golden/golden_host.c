@@ -46,7 +46,7 @@ static void check_checksums(uint32_t number, const golden_scene *golden)
     bool passed = true;
     for (unsigned way = 0; way < GOLDEN_WAYS; way++) {
         uint32_t checksum = 0;
-        qv_status status = golden_render(&checksum, &memory, golden, (golden_way)way);
+        qv_status status = golden->render(&checksum, &memory, golden, (golden_way)way);
         if (status == QV_OK && checksum == golden_checksums[number])
             continue;
         fprintf(stderr, "golden %" PRIu32 " %s: %s, %08" PRIx32 " instead of %08" PRIx32 "\n",
@@ -120,7 +120,8 @@ static void check_picture(uint32_t number, const golden_scene *golden)
 
 /* ---- The sets of scenes --------------------------------------------------- */
 
-static const golden_set *const sets[] = {&golden_steps, &golden_lengths, &golden_bsplines};
+static const golden_set *const sets[] = {&golden_steps, &golden_lengths, &golden_bsplines,
+                                         &golden_slices};
 
 enum { SETS = sizeof sets / sizeof *sets };
 
@@ -162,9 +163,45 @@ static bool levels_occur(void)
     return blended && rising;
 }
 
+/* Where a choice stands in a table of slices, as one bit; none has the bit after the
+   last. */
+static uint32_t blend_bit(const golden_blend *blend)
+{
+    const golden_blends *of = golden_slices.blends;
+    return UINT32_C(1) << (blend ? (uint32_t)(blend - of->blend) : of->count);
+}
+
+static uint32_t dither_bits(const qv_dither *dither)
+{
+    const golden_blends *of = golden_slices.blends;
+    uint32_t set = UINT32_C(1) << (dither->still ? 9 : 10);
+    for (unsigned i = 0; i < GOLDEN_SEQUENCES; i++)
+        set |= dither->sequence == of->sequence[i] ? UINT32_C(1) << i : 0;
+    for (unsigned i = 0; i < GOLDEN_TECHNIQUES; i++)
+        set |= dither->technique == of->technique[i] ? UINT32_C(1) << (4 + i) : 0;
+    return set;
+}
+
+/* Every blend, every blend of chunks and none, every sequence and technique. */
+static bool slices_occur(void)
+{
+    const golden_set *set = &golden_slices;
+    uint32_t blends = 0, fronts = 0, dithers = 0;
+    for (uint32_t number = set->first; number < set->end; number++) {
+        golden_scene golden;
+        golden_describe(&golden, set, number);
+        blends |= blend_bit(golden.slices.blend);
+        fronts |= blend_bit(golden.slices.front);
+        dithers |= dither_bits(&golden.slices.dither);
+    }
+    return blends == blend_bit(NULL) - 1 &&
+           fronts == (((UINT32_C(1) << GOLDEN_FRONTS) - 1) | blend_bit(NULL)) &&
+           dithers == (UINT32_C(1) << 11) - 1;
+}
+
 static void check_choices(void)
 {
-    bool all = levels_occur();
+    bool all = levels_occur() && slices_occur();
     for (unsigned i = 0; i < SETS; i++)
         all = all && is_complete(sets[i]);
     failures += all ? 0 : 1;
@@ -178,7 +215,7 @@ static bool print_checksum(const golden_set *set, uint32_t number)
     golden_scene golden;
     uint32_t checksum;
     golden_describe(&golden, set, number);
-    qv_status status = golden_render(&checksum, &memory, &golden, GOLDEN_WHOLE);
+    qv_status status = golden.render(&checksum, &memory, &golden, GOLDEN_WHOLE);
     if (status != QV_OK) {
         fprintf(stderr, "golden %" PRIu32 ": %s\n", number, qv_status_text(status));
         return false;

@@ -14,7 +14,7 @@ const char *const golden_way_name[GOLDEN_WAYS] = {
     [GOLDEN_PIECES] = "pieces",
 };
 
-static const qv_format *find_format(const golden_scene *golden)
+const qv_format *golden_find_format(const golden_scene *golden)
 {
     static const qv_format *const table[GOLDEN_FORMATS] = {
         [GOLDEN_RGBA8888] = &qv_format_rgba8888,
@@ -59,6 +59,17 @@ qv_status golden_make(qv_scene *scene, golden_memory *memory, const golden_scene
     return status == QV_OK ? point_camera(scene, golden) : status;
 }
 
+void golden_untouch(golden_memory *memory)
+{
+    for (size_t i = 0; i < sizeof memory->pixels; i++)
+        memory->pixels[i] = UNTOUCHED;
+}
+
+uint32_t golden_checksum(const golden_memory *memory)
+{
+    return crc32_update(0, memory->pixels, sizeof memory->pixels);
+}
+
 /* The picture's place in memory->pixels. */
 typedef struct picture {
     uint8_t *top;
@@ -71,7 +82,7 @@ typedef struct picture {
 static qv_status place_picture(picture *p, golden_memory *memory, const golden_scene *golden)
 {
     const qv_rect *rect = &golden->rect;
-    const qv_format *format = find_format(golden);
+    const qv_format *format = golden_find_format(golden);
     p->lines_per_row = 1 << format->line_shift;
     p->rows = (rect->bottom - rect->top + p->lines_per_row - 1) / p->lines_per_row;
     p->row_bytes = qv_row_bytes(format, (uint16_t)(rect->right - rect->left));
@@ -83,8 +94,7 @@ static qv_status place_picture(picture *p, golden_memory *memory, const golden_s
         p->top += p->stride * (p->rows - 1);
         p->stride = -p->stride;
     }
-    for (size_t i = 0; i < sizeof memory->pixels; i++)
-        memory->pixels[i] = UNTOUCHED;
+    golden_untouch(memory);
     return QV_OK;
 }
 
@@ -98,7 +108,7 @@ static void cut(qv_image *image, qv_rect *rect, const picture *p, const golden_s
     image->pixels = p->top + first * p->stride;
     image->bytes = (size_t)((end - first - 1) * between) + p->row_bytes;
     image->stride = p->stride;
-    image->format = find_format(golden);
+    image->format = golden_find_format(golden);
     *rect = golden->rect;
     rect->top = golden->rect.top + first * p->lines_per_row;
     if (end < p->rows)
@@ -147,8 +157,8 @@ static qv_status render_way(const picture *p, const qv_context *context, const g
     }
 }
 
-qv_status golden_render(uint32_t *checksum, golden_memory *memory, const golden_scene *golden,
-                        golden_way way)
+qv_status golden_render_rays(uint32_t *checksum, golden_memory *memory, const golden_scene *golden,
+                             golden_way way)
 {
     qv_scene scene;
     qv_context context;
@@ -161,6 +171,6 @@ qv_status golden_render(uint32_t *checksum, golden_memory *memory, const golden_
     if (status == QV_OK)
         status = render_way(&p, &context, golden, way);
     if (status == QV_OK)
-        *checksum = crc32_update(0, memory->pixels, sizeof memory->pixels);
+        *checksum = golden_checksum(memory);
     return status;
 }

@@ -46,6 +46,9 @@ static const uint32_t long_steps[] = {
     Q16(1, 16), Q16(1, 4), Q16(3, 4), Q16(1, 1), Q16(5, 2), Q16(16, 1),
 };
 
+/* Of scenes by slices: not too many slices for the devices. */
+static const uint32_t slice_steps[] = {Q16(1, 2), Q16(3, 4), Q16(1, 1), Q16(3, 2), Q16(5, 2)};
+
 /* Unit distances in 1/16 step; 0: the step, not named. */
 static const uint32_t unit_ratios[] = {0, 16, 1, 9, 20, 48, 256};
 
@@ -63,6 +66,10 @@ static const uint8_t backgrounds[][4] = {
     {32, 64, 96, 255},
     {200, 10, 90, 128},
 };
+
+static const uint32_t slopes[] = {0, Q16(1, 1), Q16(3, 4), Q16(2, 1), Q16(16, 1)};
+
+static const uint8_t cutoffs[] = {0, 255, 3, 40};
 
 /* Index into a table for this draw. */
 #define DRAW(state, table) random_below(state, COUNT(table))
@@ -100,21 +107,40 @@ static bool by_length(const golden_scene *golden)
     return golden->mode->family >= GOLDEN_CORRECTED;
 }
 
+static bool by_slices(const golden_scene *golden)
+{
+    return golden->slices.blend != NULL;
+}
+
+static uint32_t draw_step(const golden_scene *golden, uint32_t *state)
+{
+    if (by_slices(golden))
+        return slice_steps[DRAW(state, slice_steps)];
+    return by_length(golden) ? long_steps[DRAW(state, long_steps)] : steps[DRAW(state, steps)];
+}
+
+/* By slices frames are small, as their pixels take more bytes. */
+static void draw_frame(golden_scene *golden, uint32_t *state)
+{
+    golden->width =
+        (uint16_t)(by_slices(golden) ? 5 + random_below(state, 4) : 11 + random_below(state, 15));
+    golden->height =
+        (uint16_t)(by_slices(golden) ? 5 + random_below(state, 4) : 9 + random_below(state, 11));
+}
+
 static void draw_view(golden_scene *golden, uint32_t *state)
 {
     golden->azimuth = angles[DRAW(state, angles)];
     golden->elevation = angles[DRAW(state, angles)];
     golden->roll = angles[DRAW(state, angles)];
     golden->field_of_view = fields_of_view[DRAW(state, fields_of_view)];
-    golden->step =
-        by_length(golden) ? long_steps[DRAW(state, long_steps)] : steps[DRAW(state, steps)];
+    golden->step = draw_step(golden, state);
     golden->phase = phases[DRAW(state, phases)];
     golden->termination = terminations[DRAW(state, terminations)];
     uint32_t background = DRAW(state, backgrounds);
     for (unsigned channel = 0; channel < 4; channel++)
         golden->background[channel] = backgrounds[background][channel];
-    golden->width = (uint16_t)(11 + random_below(state, 15));
-    golden->height = (uint16_t)(9 + random_below(state, 11));
+    draw_frame(golden, state);
     golden->pitch = visible_extent(golden) / golden->height;
 }
 
@@ -122,8 +148,9 @@ static void draw_view(golden_scene *golden, uint32_t *state)
 static void draw_rect(golden_scene *golden, uint32_t *state)
 {
     qv_rect *rect = &golden->rect;
-    rect->left = (int32_t)random_below(state, 5) - 2;
-    rect->top = (int32_t)random_below(state, 5) - 2;
+    int32_t beyond = by_slices(golden) ? 1 : 2;
+    rect->left = (int32_t)random_below(state, 2u * (uint32_t)beyond + 1) - beyond;
+    rect->top = (int32_t)random_below(state, 2u * (uint32_t)beyond + 1) - beyond;
     rect->right = golden->width + 1 - (int32_t)random_below(state, 3);
     rect->bottom = golden->height + 1 - (int32_t)random_below(state, 3);
 }
@@ -169,17 +196,47 @@ static void draw_lengths(golden_scene *golden, uint32_t *state)
         draw_levels(golden, state);
 }
 
+static void draw_dither(qv_dither *dither, const golden_blends *of, uint32_t *state)
+{
+    dither->sequence = of->sequence[random_below(state, GOLDEN_SEQUENCES)];
+    dither->technique = of->technique[random_below(state, GOLDEN_TECHNIQUES)];
+    for (unsigned i = 0; i < 2; i++)
+        dither->slope[i] = slopes[DRAW(state, slopes)];
+    dither->frame = random16(state);
+    dither->period = (uint8_t)(2 + random_below(state, 63));
+    dither->cutoff = cutoffs[DRAW(state, cutoffs)];
+    dither->still = (uint8_t)random_below(state, 2);
+}
+
+/* Every other scene that blends back to front does so in chunks. */
+static void draw_slices(golden_scene *golden, const golden_blends *of, uint32_t *state)
+{
+    golden_slicing *slices = &golden->slices;
+    draw_dither(&slices->dither, of, state);
+    golden->strip = (uint16_t)(2 + random_below(state, 3));
+    golden->piece = (uint16_t)(1 + random_below(state, 4));
+    if (slices->blend->direction == GOLDEN_OVER && random_below(state, 2) != 0) {
+        slices->front = &of->blend[random_below(state, GOLDEN_FRONTS)];
+        slices->chunk = (uint16_t)(1 + random_below(state, 8));
+    }
+}
+
 void golden_describe(golden_scene *golden, const golden_set *set, uint32_t number)
 {
-    uint32_t state = number;
-    *golden = (golden_scene){.mode = &set->modes[(number - set->first) % set->mode_count],
+    uint32_t state = number, place = number - set->first;
+    *golden = (golden_scene){.render = set->render,
+                             .mode = &set->modes[place % set->mode_count],
                              .format = (golden_format)(number % GOLDEN_FORMATS)};
+    if (set->blends)
+        golden->slices.blend = &set->blends->blend[place % set->blends->count];
     draw_volume(golden, &state);
     draw_view(golden, &state);
     draw_rect(golden, &state);
     draw_rows(golden, &state);
     if (by_length(golden))
         draw_lengths(golden, &state);
+    if (set->blends)
+        draw_slices(golden, set->blends, &state);
     golden->seed = state;
 }
 
@@ -200,7 +257,7 @@ void golden_name(const char *word[GOLDEN_WORDS], const golden_scene *golden)
     };
     word[0] = families[golden->mode->family];
     word[1] = storages[golden->mode->sampling->storage - QV_STORAGE_RGBA8];
-    word[2] = orders[golden->mode->order];
+    word[2] = by_slices(golden) ? golden->slices.blend->name : orders[golden->mode->order];
     word[3] = golden->field_of_view == 0 ? "orthographic" : "perspective";
     word[4] = formats[golden->format];
 }

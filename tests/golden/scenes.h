@@ -4,9 +4,9 @@
  *
  * The scenes cover every sampling mode, and every pixel format, both projections,
  * odd sizes, strides, spacings, steps, phases, backgrounds and terminations at
- * least once. A scene takes less than 13 KB with all its data, so that it runs where
- * RAM is 16 KB. Scenes come in sets, since the code of all modes is more than some
- * devices' flash holds.
+ * least once; those by slices every blend, sequence and technique. A scene takes less
+ * than 13 KB with all its data, so that it runs where RAM is 16 KB. Scenes come in sets,
+ * since the code of all modes is more than some devices' flash holds.
  */
 #ifndef GOLDEN_SCENES_H
 #define GOLDEN_SCENES_H
@@ -39,17 +39,63 @@ typedef struct golden_mode {
     golden_order order;
 } golden_mode;
 
-/* Scenes whose modes one program of a device can hold: they take them in turn. */
+typedef enum golden_direction { GOLDEN_OVER, GOLDEN_UNDER, GOLDEN_HAND_OUT } golden_direction;
+
+/* A blend of slices. */
+typedef struct golden_blend {
+    const char *name;
+    const qv_blend *blend;
+    golden_direction direction;
+} golden_blend;
+
+enum { GOLDEN_SEQUENCES = 4, GOLDEN_TECHNIQUES = 5, GOLDEN_FRONTS = 4 };
+
+/* What slices are blended with; the first GOLDEN_FRONTS blends also make chunks. */
+typedef struct golden_blends {
+    const golden_blend *blend;
+    uint32_t count;
+    qv_sequence *const *sequence;
+    qv_technique *const *technique;
+} golden_blends;
+
+/* The ways to render one picture; all give the same bytes. */
+typedef enum golden_way { GOLDEN_WHOLE, GOLDEN_STRIPS, GOLDEN_ROWS, GOLDEN_PIECES } golden_way;
+
+enum { GOLDEN_WAYS = 4 };
+
+extern const char *const golden_way_name[GOLDEN_WAYS];
+
+struct golden_memory;
+struct golden_scene;
+
+/* Renders a scene and tells the CRC-32 of all of memory->pixels: of the picture,
+   the gaps between its rows and what follows it, which nobody may touch. */
+typedef qv_status golden_render(uint32_t *checksum, struct golden_memory *memory,
+                                const struct golden_scene *golden, golden_way way);
+
+/* Ray by ray, and slice by slice. */
+golden_render golden_render_rays, golden_render_slices;
+
+/* Scenes whose modes one program of a device can hold: they take them in turn, and blends
+   too. */
 typedef struct golden_set {
+    golden_render *render;
     const golden_mode *modes;
     uint32_t mode_count;
-    uint32_t first, end; /* numbers of its scenes */
+    const golden_blends *blends; /* null: ray by ray */
+    uint32_t first, end;         /* numbers of its scenes */
 } golden_set;
 
-enum { GOLDEN_FIRST_LENGTHS = 48, GOLDEN_FIRST_BSPLINES = 120, GOLDEN_SCENES = 192 };
+enum {
+    GOLDEN_FIRST_LENGTHS = 48,
+    GOLDEN_FIRST_BSPLINES = 120,
+    GOLDEN_FIRST_SLICES = 192,
+    GOLDEN_SCENES = 252
+};
 
-/* Modes that know no lengths, trilinear ones that weigh by length, and B-splines. */
-extern const golden_set golden_steps, golden_lengths, golden_bsplines;
+/* Modes that know no lengths, trilinear ones that weigh by length, B-splines, and some of
+   each by slices. */
+extern const golden_set golden_steps, golden_lengths, golden_bsplines, golden_slices;
 
 typedef enum golden_format {
     GOLDEN_RGBA8888,
@@ -83,8 +129,17 @@ typedef enum golden_layout {
     GOLDEN_LAYOUTS
 } golden_layout;
 
+/* How a scene is rendered by slices. */
+typedef struct golden_slicing {
+    const golden_blend *blend; /* null: ray by ray */
+    const golden_blend *front; /* of chunks; null: there are none */
+    uint16_t chunk;            /* slices in a chunk */
+    qv_dither dither;
+} golden_slicing;
+
 typedef struct golden_scene {
     uint32_t seed;
+    golden_render *render;
     const golden_mode *mode;
     golden_content content;
     golden_layout layout;
@@ -108,8 +163,10 @@ typedef struct golden_scene {
     golden_format format;
     int32_t padding; /* bytes between rows */
     bool bottom_up;  /* rows run downwards in memory */
-    uint16_t strip;  /* rows of bytes in a strip */
-    uint16_t piece;  /* pixels in a piece */
+    uint16_t strip;  /* rows of bytes in a strip; by slices, of pixels */
+    uint16_t piece;  /* pixels in a piece; by slices, columns */
+
+    golden_slicing slices;
 } golden_scene;
 
 /* Makes a scene of a set. */
@@ -142,16 +199,11 @@ qv_status golden_pyramid(golden_memory *memory, const qv_volume *volume,
 /* Both, and the scene that sees them. */
 qv_status golden_make(qv_scene *scene, golden_memory *memory, const golden_scene *golden);
 
-/* The ways to render one picture; all give the same bytes. */
-typedef enum golden_way { GOLDEN_WHOLE, GOLDEN_STRIPS, GOLDEN_ROWS, GOLDEN_PIECES } golden_way;
+/* Fills memory->pixels with what no picture is likely to leave, and its checksum. */
+void golden_untouch(golden_memory *memory);
+uint32_t golden_checksum(const golden_memory *memory);
 
-enum { GOLDEN_WAYS = 4 };
-
-extern const char *const golden_way_name[GOLDEN_WAYS];
-
-/* Renders a scene and tells the CRC-32 of all of memory->pixels: of the picture,
-   the gaps between its rows and what follows it, which nobody may touch. */
-qv_status golden_render(uint32_t *checksum, golden_memory *memory, const golden_scene *golden,
-                        golden_way way);
+/* The format that a scene's picture has. */
+const qv_format *golden_find_format(const golden_scene *golden);
 
 #endif /* GOLDEN_SCENES_H */

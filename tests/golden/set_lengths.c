@@ -9,5 +9,8 @@ static const golden_mode modes[] = {MODES(, GOLDEN_FRONT_TO_BACK),
                                     MODES(_back_to_front, GOLDEN_BACK_TO_FRONT),
                                     MODES(_levels, GOLDEN_LEVELS)};
 
-const golden_set golden_lengths = {modes, COUNT(modes), GOLDEN_FIRST_LENGTHS,
-                                   GOLDEN_FIRST_BSPLINES};
+const golden_set golden_lengths = {.render = golden_render_rays,
+                                   .modes = modes,
+                                   .mode_count = COUNT(modes),
+                                   .first = GOLDEN_FIRST_LENGTHS,
+                                   .end = GOLDEN_FIRST_BSPLINES};

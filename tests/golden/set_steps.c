@@ -8,4 +8,8 @@
 static const golden_mode modes[] = {MODES(, GOLDEN_FRONT_TO_BACK),
                                     MODES(_back_to_front, GOLDEN_BACK_TO_FRONT)};
 
-const golden_set golden_steps = {modes, COUNT(modes), 0, GOLDEN_FIRST_LENGTHS};
+const golden_set golden_steps = {.render = golden_render_rays,
+                                 .modes = modes,
+                                 .mode_count = COUNT(modes),
+                                 .first = 0,
+                                 .end = GOLDEN_FIRST_LENGTHS};
