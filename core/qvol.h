@@ -817,8 +817,8 @@ qv_status qv_transfer_for_slices(qv_transfer *to, const qv_transfer *from, uint1
  * and at most 255 levels, which counts of 0 and 1 get. Peaks, bins of at least `peak` counts
  * (0: none are), get peak_opacity instead, and so do the bins beside them, so that
  * interpolation between entries stays at the peak's (figure 41). The bins next to those go by
- * the mean of their count and that neighbour's, in whole counts. Colours stay. Off by less
- * than 1/65535. Returns QV_OK or QV_ERROR_NULL.
+ * the mean of their count and that neighbour's, in whole counts. Colours stay. Each to
+ * nearest, .51 of 1/65535. Returns QV_OK or QV_ERROR_NULL.
  */
 qv_status qv_transfer_from_histogram(qv_transfer *table, const uint32_t histogram[256],
                                      uint32_t scale, uint32_t peak, uint16_t peak_opacity);

@@ -19,18 +19,9 @@ plot() {
     gnuplot -c "$SOURCES/$paper/$1.gp" "$folder"
 }
 
-# sheet NAME TITLE COLUMNS [PICTURE LABEL]...: of pictures in the folder's data.
+# sheet NAME TITLE COLUMNS [PICTURE LABEL]...: of the folder's pictures.
 sheet() {
-    sheet_name=$1 sheet_title=$2 sheet_columns=$3
-    shift 3
-    count=$#
-    while [ "$count" -gt 0 ]; do
-        set -- "$@" "$folder/data/$1.ppm" "$2"
-        shift 2
-        count=$((count - 2))
-    done
-    /usr/bin/python3 "$SOURCES/sheet.py" "$folder/$sheet_name.png" "$sheet_title" \
-        "$sheet_columns" "$@"
+    /usr/bin/python3 "$SOURCES/sheet.py" "$folder" "$@"
 }
 
 # ---- Wittenbrink, Malzbender, Goss 1998 ---------------------------------------
@@ -108,14 +99,12 @@ plot_figures() {
 figures() {
     sheet_name=$1 sheet_title=$2
     shift 2
-    count=$#
-    while [ "$count" -gt 0 ]; do
-        set -- "$@" "$folder/pictures/figure$1.png" \
-            "$(awk -F'|' -v name="figure$1" '$1 == name { print $4 }' "$folder/data/index")"
+    for number in "$@"; do
         shift
-        count=$((count - 1))
+        set -- "$@" "figure$number" \
+            "$(awk -F'|' -v name="figure$number" '$1 == name { print $4 }' "$folder/data/index")"
     done
-    /usr/bin/python3 "$SOURCES/sheet.py" "$folder/$sheet_name.png" "$sheet_title" 3 "$@"
+    sheet "$sheet_name" "$sheet_title" 3 "$@"
 }
 
 dithering() {

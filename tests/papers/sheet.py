@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""sheet.py FOLDER/SHEET.png TITLE COLUMNS PICTURE LABEL [PICTURE LABEL]...
+"""sheet.py FOLDER SHEET TITLE COLUMNS PICTURE LABEL [PICTURE LABEL]...
 
-A contact sheet with a label below each picture. Each PICTURE.ppm is written by itself as
-FOLDER/pictures/PICTURE.png too. No picture is scaled.
+Writes FOLDER/SHEET.png: pictures of FOLDER/pictures with a label below each. What lies as
+FOLDER/data/PICTURE.ppm is written there first. No picture is scaled.
 """
 import pathlib
 import sys
@@ -13,13 +13,18 @@ FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 PAPER, INK = "#f6f5f2", "#222222"
 GAP, TITLE, LABEL = 16, 22, 14
 
-sheet_name, title, columns, *rest = sys.argv[1:]
-sheet_path, columns = pathlib.Path(sheet_name), int(columns)
-pictures = [Image.open(name) for name in rest[0::2]]
+
+def picture_of(name):
+    picture, data = folder / "pictures" / (name + ".png"), folder / "data" / (name + ".ppm")
+    if data.exists():
+        Image.open(data).save(picture)
+    return Image.open(picture)
+
+
+folder, sheet_name, title, columns, *rest = sys.argv[1:]
+folder, columns = pathlib.Path(folder), int(columns)
+pictures = [picture_of(name) for name in rest[0::2]]
 labels = rest[1::2]
-for name, picture in zip(map(pathlib.Path, rest[0::2]), pictures):
-    if name.suffix == ".ppm":
-        picture.save(sheet_path.parent / "pictures" / (name.stem + ".png"))
 
 width = max(picture.width for picture in pictures) + GAP
 height = max(picture.height for picture in pictures) + LABEL + 2 * GAP
@@ -33,4 +38,4 @@ for number, (picture, label) in enumerate(zip(pictures, labels)):
     y = top + number // columns * height
     sheet.paste(picture, (x, y))
     draw.text((x, y + picture.height + GAP // 3), label, INK, ImageFont.truetype(FONT, LABEL))
-sheet.save(sheet_path)
+sheet.save(folder / (sheet_name + ".png"))
