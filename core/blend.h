@@ -18,23 +18,28 @@ typedef struct qv_fragment {
 
 /* How a slice is dithered, in one pixel. */
 typedef struct qv_moment {
-    uint32_t u;              /* dither value */
-    uint32_t phase;          /* of the slice in the period; of techniques, as alpha is */
-    fx_alpha alpha;          /* what equation 9 goes by */
-    qv_technique *technique; /* null for blends that need none */
+    uint32_t u;                    /* dither value */
+    uint32_t phase;                /* of the slice in the period; of techniques, as alpha is */
+    fx_alpha alpha;                /* what equation 9 goes by */
+    const qv_technique *technique; /* null for blends that want none */
+    uint32_t opacity;              /* what it makes of the fragment's: 0 .. 255 */
 } qv_moment;
 
 /* The families of blends. */
 enum { QV_OVER = 1, QV_UNDER = 2, QV_HARDWARE = 3, QV_HAND_OUT = 4 };
 
-/* The moment of a slice for pixels that are not shifted against each other. Nothing is
-   written on error: QV_ERROR_NULL, QV_ERROR_DITHER, QV_ERROR_SLICE. */
+/* The moment of a slice, without opacity, for pixels that are not shifted against each other.
+   Nothing is written on error: QV_ERROR_NULL, QV_ERROR_DITHER, QV_ERROR_SLICE. */
 qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blend *blend,
                        int32_t slice);
 
 /* Shifts the moment of a slice to the pixel (x, y) of the dither's frame. */
 void qv_moment_shift(qv_moment *pixel, const qv_moment *slice, const qv_dither *dither, int32_t x,
                      int32_t y);
+
+/* Finds the opacity of a moment with a technique, for a fragment in front of a pixel. */
+void qv_moment_opacity(qv_moment *moment, const qv_blend *blend, const uint8_t *pixel,
+                       const qv_fragment *fragment);
 
 /* ---- States in memory ------------------------------------------------------- */
 
