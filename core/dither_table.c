@@ -37,7 +37,8 @@ uint8_t qv_dither_table_place(uint8_t period, int32_t slice, uint32_t frame, int
 /* Levels with 16 fraction bits of 16 bits, to nearest: 65535 is 255 * 65536. */
 static uint32_t level_of(uint16_t opacity)
 {
-    return opacity * 255u + ((opacity * 255u + 32768u) >> 16);
+    uint32_t product = opacity * (uint32_t)255;
+    return product + ((product + 32768u) >> 16);
 }
 
 /* The entry of a value at a phase: colours are weighted by the dithered opacity, never dithered
