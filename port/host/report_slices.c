@@ -22,7 +22,7 @@ static void report_dither(struct json *json, const struct slicing *slicing)
 {
     const qv_dither *dither = &slicing->dither;
     bool by_period = slicing->kind == DITHER_RANDOM || slicing->kind == DITHER_ORDERED ||
-                     dither->technique == qv_technique_bumped;
+                     dither->technique == &qv_technique_bumped;
     json_object(json, "dither");
     json_text(json, "kind", choice_name(dither_names, slicing->kind));
     if (slicing->sequence != SEQUENCE_ROUNDED) {

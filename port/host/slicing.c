@@ -73,17 +73,17 @@ static const qv_blend *blend_of(const struct slicing *slicing, const qv_scene *s
     return opaque && slicing->chunk == 0 && !slicing->in_bricks ? way->rgb : way->rgba;
 }
 
-static qv_technique *technique_of(int kind, bool sloped)
+static const qv_technique *technique_of(int kind, bool sloped)
 {
     switch (kind) {
     case DITHER_RANDOM:
-        return qv_technique_random;
+        return &qv_technique_random;
     case DITHER_ORDERED:
-        return qv_technique_ordered;
+        return &qv_technique_ordered;
     case DITHER_BUMP:
-        return sloped ? qv_technique_bumped : qv_technique_corrected;
+        return sloped ? &qv_technique_bumped : &qv_technique_corrected;
     default:
-        return qv_technique_rounded;
+        return &qv_technique_rounded;
     }
 }
 
@@ -133,7 +133,7 @@ static void set_dither_values(struct slicing *slicing, const struct slice_settin
     dither->cutoff = (uint8_t)(s->cutoff != 0 ? s->cutoff : CUTOFF_DEFAULT);
     dither->still = s->still;
     slicing->joining = *dither;
-    slicing->joining.technique = qv_technique_rounded;
+    slicing->joining.technique = &qv_technique_rounded;
 }
 
 static void set_bricks_of(struct slicing *slicing, const qv_volume *volume,
