@@ -627,8 +627,8 @@ qv_status qv_reduce(void *values, size_t bytes, const qv_scalars *scalars, const
  *     qv_read_out(&image, &buffer, &context, &rect);    where the display has another format
  *
  * Rectangles of a frame may be rendered apart, down to rows: the dither of a pixel depends on
- * its absolute position, the slice and the frame alone. Any mode will do, of either order;
- * termination ends nothing here.
+ * its absolute position, the slice and the frame alone. Any mode will do, of either order.
+ * Front to back, pixels at the scene's termination take no more slices.
  */
 
 struct qv_fragment;

@@ -60,6 +60,15 @@ static int see(qv_fragment *fragment, const qv_context *context, int32_t x, int3
     return 1;
 }
 
+/* Whether nothing behind a pixel can be seen, as far as the scene's termination goes. */
+static int closed(const qv_buffer *buffer, const qv_context *context, unsigned column,
+                  unsigned line)
+{
+    uint32_t enough = (uint32_t)context->scene.termination << 8; /* Q0.16 to Q0.24 */
+    return buffer->blend->kind == QV_UNDER &&
+           qv_bytes_read(qv_buffer_beside(buffer, column, line), 3) <= enough;
+}
+
 qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_context *context,
                    const qv_rect *rect, int32_t slice)
 {
@@ -72,6 +81,8 @@ qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_co
     for (int32_t y = rect->top; y < rect->bottom; y++)
         for (int32_t x = rect->left; x < rect->right; x++) {
             qv_fragment fragment = {{0, 0, 0}, 0};
+            if (closed(buffer, context, (unsigned)(x - rect->left), (unsigned)(y - rect->top)))
+                continue;
             if (see(&fragment, context, x, y, slice) || buffer->blend->kind == QV_HAND_OUT)
                 qv_buffer_blend(buffer, &fragment, &moment, dither, rect, x, y);
         }
