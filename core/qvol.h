@@ -784,10 +784,11 @@ qv_status qv_combine(const qv_buffer *behind, const qv_buffer *front, const qv_d
 
 /*
  * The same, to the bit, for bricks of one colour and opacity of 8 bits that qv_hardware_rgba8888
- * has blended without dither: behind becomes what all slices in one buffer would have given, by
- * replaying as many slices as made the front pixel out of nothing, at most 1020; a pixel that
- * they never make is put in front by qv_hardware_rgba8888. Returns QV_OK or QV_ERROR_NULL,
- * _RECT, _BUFFER (also for another blend).
+ * has blended without dither, the front one over black: behind becomes what all slices in one
+ * buffer would have given, by replaying as many as made the front pixel out of nothing, at most
+ * 160. (After those no pixel changes, so that more of them cannot be told apart; behind none at all
+ * they may be one too few.) A pixel that they never make is put in front by equation 8. Returns
+ * QV_OK or QV_ERROR_NULL, _RECT, _BUFFER (also for another blend).
  */
 qv_status qv_replay(const qv_buffer *behind, const qv_buffer *front, const uint8_t rgba[4],
                     const qv_rect *rect);
