@@ -76,7 +76,8 @@ void qv_moment_opacity(qv_moment *moment, const qv_blend *blend, const uint8_t *
                        const qv_fragment *fragment)
 {
     /* 2^32 - 1 is 255 * 65536 */
-    uint32_t level = fx_high_product(fragment->opacity, 255u << 16), value = 0, colour = 255;
+    uint32_t level = fx_high_product(fragment->opacity, (uint32_t)255 << 16);
+    uint32_t value = 0, colour = 255;
     if (moment->technique->by_value)
         blend->look(&value, &colour, pixel, fragment);
     moment->opacity = moment->technique->opacity(moment, level, value, colour);
