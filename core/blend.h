@@ -18,23 +18,28 @@ typedef struct qv_fragment {
 
 /* How a slice is dithered, in one pixel. */
 typedef struct qv_moment {
-    uint32_t u;              /* dither value */
-    uint32_t phase;          /* of the slice in the period; of techniques, as alpha is */
-    fx_alpha alpha;          /* what equation 9 goes by */
-    qv_technique *technique; /* null for blends that need none */
+    uint32_t u;                    /* dither value */
+    uint32_t phase;                /* of the slice in the period; of techniques, as alpha is */
+    fx_alpha alpha;                /* what equation 9 goes by */
+    const qv_technique *technique; /* null for blends that want none */
+    uint32_t opacity;              /* what it makes of the fragment's: 0 .. 255 */
 } qv_moment;
 
 /* The families of blends. */
 enum { QV_OVER = 1, QV_UNDER = 2, QV_HARDWARE = 3, QV_HAND_OUT = 4 };
 
-/* The moment of a slice for pixels that are not shifted against each other. Nothing is
-   written on error: QV_ERROR_NULL, QV_ERROR_DITHER, QV_ERROR_SLICE. */
+/* The moment of a slice, without opacity, for pixels that are not shifted against each other.
+   Nothing is written on error: QV_ERROR_NULL, QV_ERROR_DITHER, QV_ERROR_SLICE. */
 qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blend *blend,
                        int32_t slice);
 
 /* Shifts the moment of a slice to the pixel (x, y) of the dither's frame. */
 void qv_moment_shift(qv_moment *pixel, const qv_moment *slice, const qv_dither *dither, int32_t x,
                      int32_t y);
+
+/* Finds the opacity of a moment with a technique, for a fragment in front of a pixel. */
+void qv_moment_opacity(qv_moment *moment, const qv_blend *blend, const uint8_t *pixel,
+                       const qv_fragment *fragment);
 
 /* ---- States in memory ------------------------------------------------------- */
 
@@ -75,30 +80,51 @@ FX_INLINE void qv_bytes_write(uint8_t *at, unsigned bytes, uint32_t v)
         at[2] = (uint8_t)(v >> 16);
 }
 
-/* Residual c of a pixel: 8 bits each, or 4, those of even channels in the lower half. */
+/* Residual c of a pixel, two's complement: 8 bits each, or 4, of which the first lie lowest. */
 FX_INLINE int32_t qv_residual_read(const uint8_t *beside, unsigned c, unsigned fraction)
 {
-    int32_t v = fraction == 8 ? beside[c] : beside[c >> 1] >> 4u * (c & 1u) & 15;
-    int32_t half = (int32_t)1 << (fraction - 1u);
-    return v < half ? v : v - 2 * half;
+    uint32_t v = fraction == 8 ? beside[c] : qv_bytes_read(beside, 2) >> 4u * c & 15u;
+    uint32_t half = (uint32_t)1 << (fraction - 1u);
+    return (int32_t)(v ^ half) - (int32_t)half;
 }
 
-/* Written in the order of channels: an even one clears the half above it. */
-FX_INLINE void qv_residual_write(uint8_t *beside, unsigned c, unsigned fraction, int32_t residual)
+/* A pixel's residuals of 4 bits: the lowest bits of its states. */
+FX_INLINE void qv_residuals4_write(uint8_t *beside, const uint32_t state[4], unsigned channels)
 {
-    uint32_t v = (uint32_t)residual & (((uint32_t)1 << fraction) - 1u);
-    if (fraction == 8)
-        beside[c] = (uint8_t)v;
-    else if ((c & 1u) == 0)
-        beside[c >> 1] = (uint8_t)v;
+    uint32_t last = channels == 4 ? state[3] & 15u : 0u;
+    qv_bytes_write(beside, 2,
+                   (state[0] & 15u) | (state[1] & 15u) << 4 | (state[2] & 15u) << 8 | last << 12);
+}
+
+/*
+ * Channel c of states that are not packed. Nothing here and below loops over the channels of a
+ * state: compilers that leave such a loop a loop keep the states in memory, at twice the cost.
+ */
+FX_INLINE uint32_t qv_channel_read(const uint8_t *pixel, const uint8_t *beside, unsigned c,
+                                   const qv_states *of)
+{
+    unsigned bytes = 1u + of->fraction / 8u;
+    if (of->packing == QV_RESIDUALS)
+        return fx_state_of(pixel[c], qv_residual_read(beside, c, of->fraction), of->fraction);
+    return qv_bytes_read(pixel + bytes * c, bytes);
+}
+
+/* Residuals of 8 bits with it; those of 4 bits lie in bytes that channels share. */
+FX_INLINE void qv_channel_write(uint8_t *pixel, uint8_t *beside, unsigned c, uint32_t state,
+                                const qv_states *of)
+{
+    unsigned bytes = 1u + of->fraction / 8u;
+    if (of->packing == QV_RESIDUALS)
+        pixel[c] = (uint8_t)fx_level_of(state, of->fraction);
     else
-        beside[c >> 1] = (uint8_t)(beside[c >> 1] | v << 4);
+        qv_bytes_write(pixel + bytes * c, bytes, state);
+    if (of->packing == QV_RESIDUALS && of->fraction == 8)
+        beside[c] = (uint8_t)(state & 0xFFu);
 }
 
 FX_INLINE void qv_states_read(uint32_t state[4], const uint8_t *pixel, const uint8_t *beside,
                               const qv_states *of)
 {
-    unsigned bytes = 1u + of->fraction / 8u;
     if (of->packing == QV_565) {
         uint32_t v = qv_bytes_read(pixel, 2);
         state[0] = v >> 11;
@@ -110,33 +136,31 @@ FX_INLINE void qv_states_read(uint32_t state[4], const uint8_t *pixel, const uin
         state[1] = low >> 12;
         state[2] = high & 0xFFFu;
         state[3] = high >> 12;
-    } else if (of->packing == QV_RESIDUALS) {
-        for (unsigned c = 0; c < of->channels; c++)
-            state[c] =
-                fx_state_of(pixel[c], qv_residual_read(beside, c, of->fraction), of->fraction);
     } else {
-        for (unsigned c = 0; c < of->channels; c++)
-            state[c] = qv_bytes_read(pixel + bytes * c, bytes);
+        state[0] = qv_channel_read(pixel, beside, 0, of);
+        state[1] = qv_channel_read(pixel, beside, 1, of);
+        state[2] = qv_channel_read(pixel, beside, 2, of);
+        if (of->channels == 4)
+            state[3] = qv_channel_read(pixel, beside, 3, of);
     }
 }
 
 FX_INLINE void qv_states_write(uint8_t *pixel, uint8_t *beside, const uint32_t state[4],
                                const qv_states *of)
 {
-    unsigned bytes = 1u + of->fraction / 8u;
     if (of->packing == QV_565) {
         qv_bytes_write(pixel, 2, state[0] << 11 | state[1] << 5 | state[2]);
     } else if (of->packing == QV_PACKED) {
         qv_bytes_write(pixel, 3, state[0] | state[1] << 12);
         qv_bytes_write(pixel + 3, 3, state[2] | state[3] << 12);
-    } else if (of->packing == QV_RESIDUALS) {
-        for (unsigned c = 0; c < of->channels; c++) {
-            pixel[c] = (uint8_t)fx_level_of(state[c], of->fraction);
-            qv_residual_write(beside, c, of->fraction, fx_residual_of(state[c], of->fraction));
-        }
     } else {
-        for (unsigned c = 0; c < of->channels; c++)
-            qv_bytes_write(pixel + bytes * c, bytes, state[c]);
+        qv_channel_write(pixel, beside, 0, state[0], of);
+        qv_channel_write(pixel, beside, 1, state[1], of);
+        qv_channel_write(pixel, beside, 2, state[2], of);
+        if (of->channels == 4)
+            qv_channel_write(pixel, beside, 3, state[3], of);
+        if (of->packing == QV_RESIDUALS && of->fraction == 4)
+            qv_residuals4_write(beside, state, of->channels);
     }
 }
 

@@ -2,12 +2,6 @@
 
 #define COLOUR12 269422351u /* 4095 * 2^32 / 65280, to nearest */
 
-/* A slice as hardware is given it: 0 .. 255 each. */
-typedef struct {
-    uint32_t colour[3]; /* not weighted */
-    uint32_t opacity;   /* of the technique */
-} ready;
-
 /*
  * The colour that, weighted by an opacity in Q0.23 above 0, is a light: 8 bits and a fraction
  * of up to 8, to nearest, ties upwards, by shift and subtract; at most 255. light <= 255 *
@@ -34,48 +28,35 @@ static uint32_t colour_of(uint32_t light, uint32_t opacity, unsigned fraction)
     return (colour + 1u) >> 1;
 }
 
-/* The slice's colours, of which the largest is returned. */
-static unsigned colours_of(uint32_t colour[3], const qv_fragment *fragment, uint32_t opacity,
-                           unsigned fraction)
-{
-    uint32_t most = fx_light_of_colour(255, opacity);
-    unsigned largest = 0;
-    for (unsigned c = 0; c < 3; c++) {
-        uint32_t light = fragment->light[c] < most ? fragment->light[c] : most;
-        colour[c] = colour_of(light, opacity, fraction);
-        if (colour[c] > colour[largest])
-            largest = c;
-    }
-    return largest;
-}
-
-/* The opacity in levels with 16 fraction bits: 2^32 - 1 is 255 * 65536. */
-static uint32_t level_of(uint32_t opacity)
-{
-    return fx_high_product(opacity, (uint32_t)255 << 16);
-}
-
-/*
- * Makes the slice ready; the states, of 8 bits, tell the technique what a pixel has
- * accumulated. Returns 0 where it adds nothing.
- */
-static int make_ready(ready *slice, const qv_fragment *fragment, const qv_moment *moment,
-                      const uint32_t state[], unsigned channels)
+/* The slice's colours. */
+static void colours_of(uint32_t colour[3], const qv_fragment *fragment, unsigned fraction)
 {
     uint32_t opacity = fx_opacity_q23(fragment->opacity);
-    if (opacity == 0)
-        return 0;
-    unsigned largest = colours_of(slice->colour, fragment, opacity, 0);
-    uint32_t value = channels == 4 ? state[3] : state[largest];
-    uint32_t colour = channels == 4 ? 255u : slice->colour[largest];
-    slice->opacity = moment->technique(moment, level_of(fragment->opacity), value, colour);
-    return slice->opacity != 0;
+    uint32_t most = fx_light_of_colour(255, opacity);
+    for (unsigned c = 0; c < 3; c++) {
+        uint32_t light = fragment->light[c] < most ? fragment->light[c] : most;
+        colour[c] = opacity == 0 ? 0 : colour_of(light, opacity, fraction);
+    }
 }
 
-/* Section 5: colours weighted by the dithered opacity. */
-static uint32_t associated(const ready *slice, unsigned c)
+/* The largest of the slice's colours, and the level that stands there. */
+static void look_at_colours(uint32_t *value, uint32_t *colour, const uint32_t level[3],
+                            const qv_fragment *fragment)
 {
-    return fx_divide_by_ones(slice->colour[c] * slice->opacity, 8);
+    uint32_t all[3];
+    unsigned largest = 0;
+    colours_of(all, fragment, 0);
+    for (unsigned c = 1; c < 3; c++)
+        if (all[c] > all[largest])
+            largest = c;
+    *value = level[largest];
+    *colour = all[largest];
+}
+
+/* Section 5: a colour weighted by the dithered opacity. */
+static uint32_t associated(uint32_t colour, uint32_t opacity)
+{
+    return fx_divide_by_ones(colour * opacity, 8);
 }
 
 /* A picture of bytes: R, G, B, and where there are four channels the opacity. */
@@ -88,44 +69,76 @@ FX_INLINE void read_levels(qv_fragment *fragment, const uint8_t *pixel, unsigned
 
 /* ---- 8 bits --------------------------------------------------------------- */
 
+static void look_rgb888(uint32_t *value, uint32_t *colour, const uint8_t *pixel,
+                        const qv_fragment *fragment)
+{
+    const uint32_t level[3] = {pixel[0], pixel[1], pixel[2]};
+    look_at_colours(value, colour, level, fragment);
+}
+
 /* Equation 1. */
 static void blend_rgb888(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment,
                          const qv_moment *moment)
 {
-    uint32_t state[3] = {pixel[0], pixel[1], pixel[2]};
-    ready slice;
+    uint32_t colour[3];
     (void)beside;
-    if (!make_ready(&slice, fragment, moment, state, 3))
+    if (moment->opacity == 0)
         return;
+    colours_of(colour, fragment, 0);
     for (unsigned c = 0; c < 3; c++)
-        pixel[c] = (uint8_t)fx_blend_plain(state[c], slice.colour[c], slice.opacity, 8);
+        pixel[c] = (uint8_t)fx_blend_plain(pixel[c], colour[c], moment->opacity, 8);
+}
+
+/* The opacity is what has accumulated. */
+static void look_rgba8888(uint32_t *value, uint32_t *colour, const uint8_t *pixel,
+                          const qv_fragment *fragment)
+{
+    (void)fragment;
+    *value = pixel[3];
+    *colour = 255;
 }
 
 /* Equations 6 and 7. */
 static void blend_rgba8888(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment,
                            const qv_moment *moment)
 {
-    uint32_t state[4] = {pixel[0], pixel[1], pixel[2], pixel[3]};
-    ready slice;
+    uint32_t colour[4], opacity = moment->opacity;
     (void)beside;
-    if (!make_ready(&slice, fragment, moment, state, 4))
+    if (opacity == 0)
         return;
-    for (unsigned c = 0; c < 3; c++)
-        pixel[c] = (uint8_t)fx_blend_associated(state[c], associated(&slice, c), slice.opacity, 8);
-    pixel[3] = (uint8_t)fx_blend_associated(state[3], slice.opacity, slice.opacity, 8);
+    colours_of(colour, fragment, 0);
+    colour[3] = 255;
+    for (unsigned c = 0; c < 4; c++)
+        pixel[c] =
+            (uint8_t)fx_blend_associated(pixel[c], associated(colour[c], opacity), opacity, 8);
 }
 
-/* The slice itself; no pixel's value is known. */
+/* No pixel's value is known: that of nothing. */
+static void look_nowhere(uint32_t *value, uint32_t *colour, const uint8_t *pixel,
+                         const qv_fragment *fragment)
+{
+    (void)pixel;
+    (void)fragment;
+    *value = 0;
+    *colour = 255;
+}
+
+/* The slice itself. */
 static void hand_out(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment,
                      const qv_moment *moment)
 {
-    static const uint32_t unknown[4] = {0, 0, 0, 0};
-    ready slice = {{0, 0, 0}, 0};
+    uint32_t colour[3];
     (void)beside;
-    make_ready(&slice, fragment, moment, unknown, 4);
+    colours_of(colour, fragment, 0);
     for (unsigned c = 0; c < 3; c++)
-        pixel[c] = (uint8_t)associated(&slice, c);
-    pixel[3] = (uint8_t)slice.opacity;
+        pixel[c] = (uint8_t)associated(colour[c], moment->opacity);
+    pixel[3] = (uint8_t)moment->opacity;
+}
+
+/* An opacity on 0 .. full, to nearest. */
+static uint32_t level_of(uint32_t opacity, uint32_t full)
+{
+    return (fx_high_product(opacity, full << 16) + 0x8000u) >> 16;
 }
 
 static void round_light(uint8_t *pixel, const qv_fragment *background, unsigned channels)
@@ -133,7 +146,7 @@ static void round_light(uint8_t *pixel, const qv_fragment *background, unsigned 
     for (unsigned c = 0; c < 3; c++)
         pixel[c] = (uint8_t)((background->light[c] + FX_ONE_Q23 / 2) >> 23);
     if (channels == 4)
-        pixel[3] = (uint8_t)fx_alpha_rounded(level_of(background->opacity));
+        pixel[3] = (uint8_t)level_of(background->opacity, 255);
 }
 
 static void clear_rgb888(uint8_t *pixel, uint8_t *beside, const qv_fragment *background)
@@ -160,10 +173,12 @@ static void read_rgba8888(qv_fragment *fragment, const uint8_t *pixel, const uin
     read_levels(fragment, pixel, 4);
 }
 
-const qv_blend qv_hardware_rgb888 = {blend_rgb888, clear_rgb888, read_rgb888, 3, 0, QV_HARDWARE};
-const qv_blend qv_hardware_rgba8888 = {blend_rgba8888, clear_rgba8888, read_rgba8888, 4, 0,
-                                       QV_HARDWARE};
-const qv_blend qv_hand_out_rgba8888 = {hand_out, clear_rgba8888, read_rgba8888, 4, 0, QV_HAND_OUT};
+const qv_blend qv_hardware_rgb888 = {blend_rgb888, clear_rgb888, read_rgb888, look_rgb888, 3, 0,
+                                     QV_HARDWARE};
+const qv_blend qv_hardware_rgba8888 = {
+    blend_rgba8888, clear_rgba8888, read_rgba8888, look_rgba8888, 4, 0, QV_HARDWARE};
+const qv_blend qv_hand_out_rgba8888 = {hand_out, clear_rgba8888, read_rgba8888, look_nowhere, 4,
+                                       0,        QV_HAND_OUT};
 
 /* ---- 5 and 6 bits, and 12 ------------------------------------------------- */
 
@@ -176,21 +191,30 @@ static uint32_t narrowed(uint32_t colour, uint32_t full)
     return fx_divide_by_ones(colour * full, 8);
 }
 
+/* As displays widen them: the highest bits again below. */
+static void look_565(uint32_t *value, uint32_t *colour, const uint8_t *pixel,
+                     const qv_fragment *fragment)
+{
+    uint32_t state[4];
+    qv_states_read(state, pixel, 0, &states_565);
+    const uint32_t level[3] = {state[0] << 3 | state[0] >> 2, state[1] << 2 | state[1] >> 4,
+                               state[2] << 3 | state[2] >> 2};
+    look_at_colours(value, colour, level, fragment);
+}
+
 /* Equation 1, of opacities of 8 bits. */
 static void blend_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment,
                       const qv_moment *moment)
 {
-    static const uint32_t full[3] = {31, 63, 31};
-    uint32_t state[4], level[3];
-    ready slice;
+    static const uint8_t full[3] = {31, 63, 31};
+    uint32_t state[4], colour[3];
     (void)beside;
-    qv_states_read(state, pixel, 0, &states_565);
-    for (unsigned c = 0; c < 3; c++) /* as displays do: the highest bits again below */
-        level[c] = full[c] == 31 ? state[c] << 3 | state[c] >> 2 : state[c] << 2 | state[c] >> 4;
-    if (!make_ready(&slice, fragment, moment, level, 3))
+    if (moment->opacity == 0)
         return;
+    qv_states_read(state, pixel, 0, &states_565);
+    colours_of(colour, fragment, 0);
     for (unsigned c = 0; c < 3; c++)
-        state[c] = fx_blend_plain(state[c], narrowed(slice.colour[c], full[c]), slice.opacity, 8);
+        state[c] = fx_blend_plain(state[c], narrowed(colour[c], full[c]), moment->opacity, 8);
     qv_states_write(pixel, 0, state, &states_565);
 }
 
@@ -212,7 +236,7 @@ static void read_565(qv_fragment *fragment, const uint8_t *pixel, const uint8_t 
     qv_fragment_of_565(fragment, state);
 }
 
-const qv_blend qv_hardware_rgb565 = {blend_565, clear_565, read_565, 2, 0, QV_HARDWARE};
+const qv_blend qv_hardware_rgb565 = {blend_565, clear_565, read_565, look_565, 2, 0, QV_HARDWARE};
 
 /* Levels with 8 fraction bits, at most 65280, to 4095, to nearest. */
 static uint32_t unorm12(uint32_t level)
@@ -224,15 +248,14 @@ static uint32_t unorm12(uint32_t level)
 static void blend_12(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment,
                      const qv_moment *moment)
 {
-    uint32_t wide = fx_high_product(fragment->opacity, (uint32_t)4095 << 16);
-    uint32_t opacity = (wide + 32768u) >> 16, part = fx_opacity_q23(fragment->opacity);
+    uint32_t opacity = level_of(fragment->opacity, 4095);
     uint32_t state[4], colour[3];
     (void)beside;
     (void)moment;
     if (opacity == 0)
         return;
     qv_states_read(state, pixel, 0, &states_12);
-    colours_of(colour, fragment, part, 8);
+    colours_of(colour, fragment, 8);
     for (unsigned c = 0; c < 3; c++) {
         uint32_t weighted = fx_divide_by_ones(unorm12(colour[c]) * opacity, 12);
         state[c] = fx_blend_associated(state[c], weighted, opacity, 12);
@@ -247,7 +270,7 @@ static void clear_12(uint8_t *pixel, uint8_t *beside, const qv_fragment *backgro
     (void)beside;
     for (unsigned c = 0; c < 3; c++)
         state[c] = unorm12((background->light[c] + 0x4000u) >> 15);
-    state[3] = unorm12((level_of(background->opacity) + 128u) >> 8);
+    state[3] = level_of(background->opacity, 4095);
     qv_states_write(pixel, 0, state, &states_12);
 }
 
@@ -262,4 +285,4 @@ static void read_12(qv_fragment *fragment, const uint8_t *pixel, const uint8_t *
         (state[3] << 20) + (state[3] << 8) + (state[3] >> 4); /* 2^32 / 4095, at most 1 low */
 }
 
-const qv_blend qv_hardware_rgba12 = {blend_12, clear_12, read_12, 6, 0, QV_HARDWARE};
+const qv_blend qv_hardware_rgba12 = {blend_12, clear_12, read_12, 0, 6, 0, QV_HARDWARE};

@@ -1,13 +1,19 @@
 #include "blend.h"
 
+/* How a slice meets a pixel. */
+typedef struct {
+    uint32_t opacity; /* Q0.32 for states of 24 bits, else Q0.23 */
+    uint32_t most;    /* light of the opacity, which no colour's passes */
+    uint32_t u;
+} meeting;
+
 /* A blend is dithered, or rounded, by what its states have left. */
-FX_INLINE uint32_t blended(uint32_t state, uint32_t light, uint32_t opacity, uint32_t most,
-                           uint32_t u, unsigned fraction)
+FX_INLINE uint32_t blended(uint32_t state, uint32_t light, const meeting *slice, unsigned fraction)
 {
-    light = light < most ? light : most;
+    light = light < slice->most ? light : slice->most;
     if (fraction == 16)
-        return fx_blend_8_16(state, light, opacity, u);
-    return fx_blend_dithered(state, light, opacity, u, fraction);
+        return fx_blend_8_16(state, light, slice->opacity, slice->u);
+    return fx_blend_dithered(state, light, slice->opacity, slice->u, fraction);
 }
 
 /* Equations 6 and 7, 4 and 8. */
@@ -17,12 +23,14 @@ FX_INLINE void over(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment
     int wide = of->fraction == 16;
     uint32_t opacity = wide ? fragment->opacity : fx_opacity_q23(fragment->opacity);
     uint32_t most = wide ? fx_light_of_colour32(255, opacity) : fx_light_of_colour(255, opacity);
+    const meeting slice = {opacity, most, u};
     uint32_t state[4];
     qv_states_read(state, pixel, beside, of);
-    for (unsigned c = 0; c < 3; c++)
-        state[c] = blended(state[c], fragment->light[c], opacity, most, u, of->fraction);
+    state[0] = blended(state[0], fragment->light[0], &slice, of->fraction);
+    state[1] = blended(state[1], fragment->light[1], &slice, of->fraction);
+    state[2] = blended(state[2], fragment->light[2], &slice, of->fraction);
     if (of->channels == 4)
-        state[3] = blended(state[3], most, opacity, most, u, of->fraction);
+        state[3] = blended(state[3], most, &slice, of->fraction);
     qv_states_write(pixel, beside, state, of);
 }
 
@@ -52,7 +60,7 @@ FX_INLINE void clear(uint8_t *pixel, uint8_t *beside, const qv_fragment *backgro
         qv_states_read(state, pixel, beside, &name##_states);                                      \
         qv_states_fragment(fragment, state, &name##_states);                                       \
     }                                                                                              \
-    const qv_blend qv_over_##name = {blend_##name, clear_##name, read_##name,                      \
+    const qv_blend qv_over_##name = {blend_##name, clear_##name, read_##name, 0,                   \
                                      pixel_bytes,  beside_bytes, QV_OVER};
 
 DEFINE_OVER(rgb888, 3, 0, QV_PLAIN, 3, 0)
@@ -104,4 +112,4 @@ static void read_565(qv_fragment *fragment, const uint8_t *pixel, const uint8_t 
     qv_fragment_of_565(fragment, state);
 }
 
-const qv_blend qv_over_rgb565 = {blend_565, clear_565, read_565, 2, 0, QV_OVER};
+const qv_blend qv_over_rgb565 = {blend_565, clear_565, read_565, 0, 2, 0, QV_OVER};

@@ -36,4 +36,8 @@ static inline void qv_buffer_read(qv_fragment *fragment, const qv_buffer *buffer
                         qv_buffer_beside(buffer, column, line));
 }
 
+/* Blends a fragment into a pixel of a rectangle, in the slice's moment. */
+void qv_buffer_blend(const qv_buffer *buffer, const qv_fragment *fragment, const qv_moment *slice,
+                     const qv_dither *dither, const qv_rect *rect, int32_t x, int32_t y);
+
 #endif /* QV_BUFFER_H */

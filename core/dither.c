@@ -28,43 +28,59 @@ uint32_t qv_sequence_blocks(uint32_t slice)
 
 /* ---- Techniques ----------------------------------------------------------- */
 
-uint32_t qv_technique_rounded(const qv_moment *moment, uint32_t opacity, uint32_t value,
-                              uint32_t colour)
+static uint32_t rounded(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
     (void)moment;
     (void)value;
     (void)colour;
-    return fx_alpha_rounded(opacity);
+    return fx_alpha_rounded(level);
 }
 
-uint32_t qv_technique_random(const qv_moment *moment, uint32_t opacity, uint32_t value,
-                             uint32_t colour)
+const qv_technique qv_technique_rounded = {rounded, 0};
+
+static uint32_t random(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
     (void)value;
     (void)colour;
-    return fx_alpha_random(&moment->alpha, opacity, moment->u);
+    return fx_alpha_random(&moment->alpha, level, moment->u);
 }
 
-uint32_t qv_technique_ordered(const qv_moment *moment, uint32_t opacity, uint32_t value,
-                              uint32_t colour)
+const qv_technique qv_technique_random = {random, 0};
+
+static uint32_t ordered(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
     (void)value;
     (void)colour;
-    return fx_alpha_ordered(&moment->alpha, opacity, moment->phase);
+    return fx_alpha_ordered(&moment->alpha, level, moment->phase);
 }
+
+const qv_technique qv_technique_ordered = {ordered, 0};
 
 /* Its bumps are made for colour 255: what counts is how far the value is from the colour. */
-uint32_t qv_technique_bumped(const qv_moment *moment, uint32_t opacity, uint32_t value,
-                             uint32_t colour)
+static uint32_t bumped(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
     uint32_t way = colour > value ? colour - value : value - colour;
-    return fx_alpha_bumped(&moment->alpha, opacity, moment->phase, 255u - way);
+    return fx_alpha_bumped(&moment->alpha, level, moment->phase, 255u - way);
 }
 
-uint32_t qv_technique_corrected(const qv_moment *moment, uint32_t opacity, uint32_t value,
-                                uint32_t colour)
+const qv_technique qv_technique_bumped = {bumped, 1};
+
+static uint32_t corrected(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
-    return fx_alpha_corrected(opacity, colour, value, moment->u);
+    return fx_alpha_corrected(level, colour, value, moment->u);
+}
+
+const qv_technique qv_technique_corrected = {corrected, 1};
+
+void qv_moment_opacity(qv_moment *moment, const qv_blend *blend, const uint8_t *pixel,
+                       const qv_fragment *fragment)
+{
+    /* 2^32 - 1 is 255 * 65536 */
+    uint32_t level = fx_high_product(fragment->opacity, (uint32_t)255 << 16);
+    uint32_t value = 0, colour = 255;
+    if (moment->technique->by_value)
+        blend->look(&value, &colour, pixel, fragment);
+    moment->opacity = moment->technique->opacity(moment, level, value, colour);
 }
 
 /* ---- Moments -------------------------------------------------------------- */
@@ -84,7 +100,7 @@ static uint32_t slope_of(uint32_t slope)
 qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blend *blend,
                        int32_t slice)
 {
-    int by_technique = blend->kind == QV_HARDWARE || blend->kind == QV_HAND_OUT;
+    int by_technique = blend->look != 0;
     if (!dither)
         return QV_ERROR_NULL;
     if (!dither->sequence || (by_technique && (!dither->technique || !in_range(dither))))

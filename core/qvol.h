@@ -627,8 +627,8 @@ qv_status qv_reduce(void *values, size_t bytes, const qv_scalars *scalars, const
  *     qv_read_out(&image, &buffer, &context, &rect);    where the display has another format
  *
  * Rectangles of a frame may be rendered apart, down to rows: the dither of a pixel depends on
- * its absolute position, the slice and the frame alone. Any mode will do, of either order;
- * termination ends nothing here.
+ * its absolute position, the slice and the frame alone. Any mode will do, of either order.
+ * Front to back, pixels at the scene's termination take no more slices.
  */
 
 struct qv_fragment;
@@ -643,7 +643,9 @@ typedef struct qv_blend {
                   const struct qv_moment *moment);
     void (*clear)(uint8_t *pixel, uint8_t *beside, const struct qv_fragment *background);
     void (*read)(struct qv_fragment *fragment, const uint8_t *pixel, const uint8_t *beside);
-    uint8_t bytes;  /* of a pixel */
+    void (*look)(uint32_t *value, uint32_t *colour, const uint8_t *pixel,
+                 const struct qv_fragment *fragment); /* null where no technique is wanted */
+    uint8_t bytes;                                    /* of a pixel */
     uint8_t beside; /* bytes of what is kept beside a pixel, 0 where nothing is */
     uint8_t kind;   /* of the families below, core/blend.h */
 } qv_blend;
@@ -662,7 +664,8 @@ extern const qv_blend qv_over_rgb888_residual8, qv_over_rgba8888_residual8; /* .
 extern const qv_blend qv_over_rgb565; /* 25 and 15.5, 120 and 75; low byte first */
 extern const qv_blend qv_over_rgba12; /* 6 bytes: 1.1, 4.5; of R the lowest bits first */
 extern const qv_blend qv_over_rgb16, qv_over_rgba16; /* 6 and 8 bytes: .6, .75 */
-extern const qv_blend qv_over_rgb24, qv_over_rgba24; /* 9 and 12 bytes; rounded: .51, .51 */
+extern const qv_blend qv_over_rgb24,
+    qv_over_rgba24; /* 9 and 12 bytes: .51, .51 by qv_sequence_rounded */
 
 /*
  * The residuals above are 4 or 8 bits a channel beside a frame buffer of 8 bits (error
@@ -673,14 +676,14 @@ extern const qv_blend qv_over_rgb24, qv_over_rgba24; /* 9 and 12 bytes; rounded:
  */
 extern const qv_blend qv_under_rgb888; /* 9, 48 */
 extern const qv_blend qv_under_rgb16;  /* .62, .75 */
-extern const qv_blend qv_under_rgb24;  /* rounded: .51, .51 */
+extern const qv_blend qv_under_rgb24;  /* .51, .51 by qv_sequence_rounded */
 
 /*
  * As blending hardware does it (section 2.1): a slice has an opacity of 8 bits, made by the
  * technique of the dither, and a colour of 8 bits; each result is rounded to nearest. Without
  * accumulated opacity by equation 1; with it by equations 6 and 7, colours weighted by the
- * dithered opacity (section 5). rgba12: opacities of 12 bits, rounded whatever the technique,
- * 4095 being 1; 6 bytes, as above.
+ * dithered opacity (section 5). rgba12: opacities of 12 bits, rounded without a technique, 4095
+ * being 1; 6 bytes, as above.
  */
 extern const qv_blend qv_hardware_rgb888, qv_hardware_rgba8888;
 extern const qv_blend qv_hardware_rgb565, qv_hardware_rgba12;
@@ -700,27 +703,32 @@ uint32_t qv_sequence_golden(uint32_t slice);  /* best where no slice is empty */
 uint32_t qv_sequence_hash(uint32_t slice);    /* the noise of a random walk, but on anything */
 uint32_t qv_sequence_blocks(uint32_t slice);  /* between the two: see qv_recommend */
 
-struct qv_dither;
-
 /*
- * Makes an opacity of 8 bits of one in levels with 16 fraction bits, for qv_hardware_* and
- * qv_hand_out_rgba8888. `value` is what a pixel has accumulated (its opacity or, where that is
- * not kept, its channel of the slice's largest colour) and `colour` the slice's, 0 .. 255.
+ * How qv_hardware_* and qv_hand_out_rgba8888 come by an opacity of 8 bits. The caller names
+ * those it uses, and only those are linked. The fields are the library's own. `value` is what a
+ * pixel has accumulated: its opacity or, where that is not kept, its channel of the slice's
+ * largest colour; `colour` the slice's there.
  */
-typedef uint32_t qv_technique(const struct qv_moment *moment, uint32_t opacity, uint32_t value,
-                              uint32_t colour);
+typedef struct qv_technique {
+    uint32_t (*opacity)(const struct qv_moment *moment, uint32_t level, uint32_t value,
+                        uint32_t colour);
+    uint8_t by_value; /* whether value and colour are read */
+} qv_technique;
 
-qv_technique qv_technique_rounded;   /* no dither */
-qv_technique qv_technique_random;    /* section 3: hits by dither value */
-qv_technique qv_technique_ordered;   /* section 3: hits by the place in the period */
-qv_technique qv_technique_bumped;    /* exponential bumps and the second slope, by the pixel's
-                                        value; handed out: as ordered, for no value is known */
-qv_technique qv_technique_corrected; /* section 9.2: by the pixel's value, with the hits' share
-                                        such that the blend is exact on average */
+extern const qv_technique qv_technique_rounded; /* no dither */
+extern const qv_technique qv_technique_random;  /* section 3: hits by dither value */
+extern const qv_technique qv_technique_ordered; /* section 3: hits by the place in the period */
+
+/* Section 3 too: exponential bumps and the second slope, by the pixel's value. Handed out, where
+   no value is known, as ordered. */
+extern const qv_technique qv_technique_bumped;
+
+/* Section 9.2: by the pixel's value, such that the rounded blend is exact on average. */
+extern const qv_technique qv_technique_corrected;
 
 typedef struct qv_dither {
-    qv_sequence *sequence;   /* never null */
-    qv_technique *technique; /* of qv_hardware_* and qv_hand_out_*, else not read */
+    qv_sequence *sequence;         /* never null */
+    const qv_technique *technique; /* of qv_hardware_* and qv_hand_out_*, else not read */
     uint32_t slope[2]; /* slope modifiers, Q16.16, 0 .. 2^20; 0: 1. The first alone but for bumped,
                           which takes the second once the value has reached its knee */
     uint32_t frame;    /* counter: shifts the dither of all pixels from frame to frame */
@@ -776,10 +784,11 @@ qv_status qv_combine(const qv_buffer *behind, const qv_buffer *front, const qv_d
 
 /*
  * The same, to the bit, for bricks of one colour and opacity of 8 bits that qv_hardware_rgba8888
- * has blended without dither: behind becomes what all slices in one buffer would have given, by
- * replaying as many slices as made the front pixel out of nothing, at most 1020; a pixel that
- * they never make is put in front by qv_hardware_rgba8888. Returns QV_OK or QV_ERROR_NULL,
- * _RECT, _BUFFER (also for another blend).
+ * has blended without dither, the front one over black: behind becomes what all slices in one
+ * buffer would have given, by replaying as many as made the front pixel out of nothing, at most
+ * 160. (After those no pixel changes, so that more of them cannot be told apart; behind none at all
+ * they may be one too few.) A pixel that they never make is put in front by equation 8. Returns
+ * QV_OK or QV_ERROR_NULL, _RECT, _BUFFER (also for another blend).
  */
 qv_status qv_replay(const qv_buffer *behind, const qv_buffer *front, const uint8_t rgba[4],
                     const qv_rect *rect);
@@ -809,8 +818,8 @@ qv_status qv_transfer_for_slices(qv_transfer *to, const qv_transfer *from, uint1
  * and at most 255 levels, which counts of 0 and 1 get. Peaks, bins of at least `peak` counts
  * (0: none are), get peak_opacity instead, and so do the bins beside them, so that
  * interpolation between entries stays at the peak's (figure 41). The bins next to those go by
- * the mean of their count and that neighbour's, in whole counts. Colours stay. Off by less
- * than 1/65535. Returns QV_OK or QV_ERROR_NULL.
+ * the mean of their count and that neighbour's, in whole counts. Colours stay. Each to
+ * nearest, .51 of 1/65535. Returns QV_OK or QV_ERROR_NULL.
  */
 qv_status qv_transfer_from_histogram(qv_transfer *table, const uint32_t histogram[256],
                                      uint32_t scale, uint32_t peak, uint16_t peak_opacity);

@@ -60,25 +60,31 @@ static int see(qv_fragment *fragment, const qv_context *context, int32_t x, int3
     return 1;
 }
 
+/* Whether nothing behind a pixel can be seen, as far as the scene's termination goes. */
+static int closed(const qv_buffer *buffer, const qv_context *context, unsigned column,
+                  unsigned line)
+{
+    uint32_t enough = (uint32_t)context->scene.termination << 8; /* Q0.16 to Q0.24 */
+    return buffer->blend->kind == QV_UNDER &&
+           qv_bytes_read(qv_buffer_beside(buffer, column, line), 3) <= enough;
+}
+
 qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_context *context,
                    const qv_rect *rect, int32_t slice)
 {
-    qv_moment of_slice, moment;
+    qv_moment moment;
     qv_status status = context ? qv_buffer_check(buffer, rect) : QV_ERROR_NULL;
     if (status == QV_OK)
-        status = qv_moment_of(&of_slice, dither, buffer->blend, slice);
+        status = qv_moment_of(&moment, dither, buffer->blend, slice);
     if (status != QV_OK)
         return status;
-    moment = of_slice;
     for (int32_t y = rect->top; y < rect->bottom; y++)
         for (int32_t x = rect->left; x < rect->right; x++) {
-            unsigned column = (unsigned)(x - rect->left), line = (unsigned)(y - rect->top);
             qv_fragment fragment = {{0, 0, 0}, 0};
-            if (!see(&fragment, context, x, y, slice) && buffer->blend->kind != QV_HAND_OUT)
+            if (closed(buffer, context, (unsigned)(x - rect->left), (unsigned)(y - rect->top)))
                 continue;
-            qv_moment_shift(&moment, &of_slice, dither, x, y);
-            buffer->blend->blend(qv_buffer_pixel(buffer, column, line),
-                                 qv_buffer_beside(buffer, column, line), &fragment, &moment);
+            if (see(&fragment, context, x, y, slice) || buffer->blend->kind == QV_HAND_OUT)
+                qv_buffer_blend(buffer, &fragment, &moment, dither, rect, x, y);
         }
     return QV_OK;
 }

@@ -36,6 +36,7 @@ FIRMWARE_golden_bsplines := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden
 FIRMWARE_golden_slices := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_slices_device.c set_slices.c render_slices.c)
 FIRMWARE_bench := tests/bench/bench_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
+FIRMWARE_blends := tests/bench/blends_device.c
 FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
 
 DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \

@@ -58,6 +58,20 @@ static void write_frame(output *out, const struct frame *frame, picture_writer *
     free(picture.pixels);
 }
 
+/* Sampling that knows no lengths is given opacities for those that the number of slices makes. */
+static void convert_opacities(struct model *model, const struct settings *settings)
+{
+    const qv_scalars *scalars = &model->classifier.scalars;
+    if (settings->slices.count == 0 || sampling_by_length(settings, model->storage)) {
+        return;
+    }
+    if (model->classified_before) {
+        usage_error("--slices", "the opacities of %s stay; give --step, or another --sampling",
+                    model->scan.file);
+    }
+    model_hold_steps(model, scene_step(scalars->size, scalars->spacing, settings));
+}
+
 /* The picture gets its name last: where it is, its report is too. */
 int command_render(const struct settings *settings)
 {
@@ -66,6 +80,7 @@ int command_render(const struct settings *settings)
     struct frame frame;
     struct view view;
     struct levels levels = {0};
+    struct slicing slicing, *by_slices = NULL;
     qv_scene scene = {0};
     output picture, report;
     check_outputs(settings);
@@ -73,18 +88,23 @@ int command_render(const struct settings *settings)
     frame_create(&frame, settings);
     model_read(&model, settings, settings->operands[0], QV_STORAGE_RGBA16);
     scene.sampling = sampling_choose(settings, model.storage);
+    convert_opacities(&model, settings);
     model_volume(&scene.volume, &model, settings);
     if (settings->level_given) {
         levels_create(&levels, &scene.volume, &model, settings);
         scene.pyramid = &levels.pyramid;
     }
     scene_create(&scene, &view, &model, settings);
-    frame_render(&frame, &scene, settings);
+    if (settings->slices.wanted) {
+        by_slices = &slicing;
+        slicing_create(by_slices, &scene, settings);
+    }
+    frame_render(&frame, &scene, by_slices, settings);
     output_open(&picture, settings->output);
     write_frame(&picture, &frame, writer);
     if (settings->json != NULL) {
         output_open(&report, settings->json);
-        report_scene(&report, &model, &scene, &levels, &view, &frame, settings);
+        report_scene(&report, &model, &scene, &levels, &view, by_slices, &frame, settings);
         output_commit(&report);
     }
     output_commit(&picture);

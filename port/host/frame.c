@@ -20,11 +20,13 @@ struct tally {
     uint64_t samples;
     uint64_t skipped;
     uint64_t terminated;
+    struct slice_range slices;
 };
 
 struct strips {
     const struct frame *frame;
     const qv_context *context;
+    const struct slicing *slicing; /* null: rays */
     uint32_t rows;
     struct tally *tallies; /* one for each strip */
 };
@@ -35,6 +37,21 @@ static void count_piece(struct tally *tally, const qv_progress *before, const qv
     tally->samples += (uint32_t)(after->samples - before->samples);
     tally->skipped += (uint32_t)(after->skipped - before->skipped);
     tally->terminated += (uint32_t)(after->terminated - before->terminated);
+}
+
+static void render_rays(const qv_image *image, const qv_context *context, const qv_rect *rect,
+                        struct tally *tally)
+{
+    qv_progress progress = {0};
+    qv_status status;
+    do {
+        qv_progress before = progress;
+        status = qv_render_some(image, &progress, context, rect, PIECE_PIXELS);
+        count_piece(tally, &before, &progress);
+    } while (status == QV_MORE);
+    if (status != QV_OK) {
+        data_error("frame", NULL, "%s", qv_status_text(status));
+    }
 }
 
 /* One strip into its own rows of the frame; runs on any thread. */
@@ -49,15 +66,11 @@ static void render_strip(void *argument, uint32_t piece)
     qv_rect rect = {0, (int32_t)top, (int32_t)frame->width, (int32_t)(top + rows)};
     qv_image image = {frame->bytes + offset, bytes, (ptrdiff_t)frame->row_bytes,
                       frame->format->format};
-    qv_progress progress = {0};
-    qv_status status;
-    do {
-        qv_progress before = progress;
-        status = qv_render_some(&image, &progress, strips->context, &rect, PIECE_PIXELS);
-        count_piece(&strips->tallies[piece], &before, &progress);
-    } while (status == QV_MORE);
-    if (status != QV_OK) {
-        data_error("frame", NULL, "%s", qv_status_text(status));
+    struct tally *tally = &strips->tallies[piece];
+    if (strips->slicing != NULL) {
+        tally->slices = slicing_render(&image, strips->slicing, strips->context, &rect);
+    } else {
+        render_rays(&image, strips->context, &rect, tally);
     }
 }
 
@@ -105,10 +118,19 @@ static double seconds_now(void)
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
 }
 
-void frame_render(struct frame *frame, const qv_scene *scene, const struct settings *settings)
+static void add_tally(struct frame *frame, const struct tally *tally)
+{
+    frame->samples += tally->samples;
+    frame->skipped += tally->skipped;
+    frame->terminated += tally->terminated;
+    slice_range_join(&frame->slices, tally->slices);
+}
+
+void frame_render(struct frame *frame, const qv_scene *scene, const struct slicing *slicing,
+                  const struct settings *settings)
 {
     qv_context context;
-    struct strips strips = {frame, &context, 0, NULL};
+    struct strips strips = {frame, &context, slicing, 0, NULL};
     struct parallel work = {render_strip, &strips, 0, settings->threads,
                             progress_label(settings->quiet, "rendering")};
     double start = seconds_now();
@@ -118,9 +140,7 @@ void frame_render(struct frame *frame, const qv_scene *scene, const struct setti
     strips.tallies = allocate(work.pieces * sizeof *strips.tallies, "frame", "size");
     parallel_run(&work);
     for (uint32_t i = 0; i < work.pieces; i++) {
-        frame->samples += strips.tallies[i].samples;
-        frame->skipped += strips.tallies[i].skipped;
-        frame->terminated += strips.tallies[i].terminated;
+        add_tally(frame, &strips.tallies[i]);
     }
     free(strips.tallies);
     frame->seconds = seconds_now() - start;

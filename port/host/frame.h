@@ -5,7 +5,7 @@
 #define QVOL_HOST_FRAME_H
 
 #include "pixel_format.h"
-#include "settings.h"
+#include "slicing.h"
 
 struct frame {
     const struct pixel_format *format;
@@ -13,7 +13,8 @@ struct frame {
     size_t row_bytes; /* no padding */
     size_t byte_count;
     uint8_t *bytes;
-    uint64_t samples; /* statistics */
+    struct slice_range slices; /* that were drawn */
+    uint64_t samples;          /* statistics; of rays */
     uint64_t skipped;
     uint64_t terminated;
     double seconds;
@@ -24,6 +25,8 @@ void frame_create(struct frame *frame, const struct settings *settings);
 
 void frame_free(struct frame *frame);
 
-void frame_render(struct frame *frame, const qv_scene *scene, const struct settings *settings);
+/* slicing: null for rays. */
+void frame_render(struct frame *frame, const qv_scene *scene, const struct slicing *slicing,
+                  const struct settings *settings);
 
 #endif

@@ -41,10 +41,18 @@
     "A level has half the voxels of the one before on each axis. Raw RGBA, RGBT and indexed8\n"    \
     "data may be followed by their levels, as qvol pyramid writes them.\n"
 
+#define SLICE_DETAILS                                                                              \
+    "--compositing slices blends slice after slice into a frame buffer of few bits, as devices\n"  \
+    "and blending hardware do. --dither none is what hardware does. random, ordered and bump\n"    \
+    "dither the opacities that it is given: bump by what a pixel has accumulated, with --slope\n"  \
+    "as published. rounding dithers what each blend stores, feedback keeps a residual beside.\n"   \
+    "With --slices opacities hold for a voxel, so that a fog is as dense in any number of them.\n" \
+    "Bricks share one grid of slices; values are clamped at their faces.\n"
+
 static const struct command commands[] = {
     {"qvol render", "IN -o OUT [options]", "Renders a volume to a picture or to a display's bytes.",
      INPUT_DETAILS
-     "\n" TRANSFER_DETAILS "\n" SAMPLING_DETAILS "\n" LEVEL_DETAILS
+     "\n" TRANSFER_DETAILS "\n" SAMPLING_DETAILS "\n" SLICE_DETAILS "\n" LEVEL_DETAILS
      "--level takes those, or makes them. auto: a pixel is as wide as a voxel of its level.\n"
      "\nOUT ends in .png or .pam (what the display would show; alpha is stored straight), or in\n"
      ".raw or .bin (the display's own bytes; colour is associated with alpha). - writes PAM.\n"

@@ -270,7 +270,10 @@ void model_read(struct model *model, const struct settings *settings, const char
                 qv_storage default_storage)
 {
     memset(model, 0, sizeof *model);
-    model->unit_distance = settings->unit_distance > 0 ? to_q16(settings->unit_distance) : 0;
+    model->unit_distance = settings->slices.count != 0 ? QV_ONE_Q16 : 0;
+    if (settings->unit_distance > 0) {
+        model->unit_distance = to_q16(settings->unit_distance);
+    }
     input_read(&model->scan, name, &settings->raw);
     if (element_is_classified(model->scan.type)) {
         read_classified(model, settings);

@@ -43,6 +43,10 @@ void model_reduce(struct model *model, const uint8_t factor[3]);
    classified, after the model was reduced. */
 void model_hold_extinction(struct model *model, const struct settings *settings);
 
+/* Turns the transfer table, of opacity for the model's unit distance, into one for a step, Q16.16:
+   for sampling that knows no lengths. */
+void model_hold_steps(struct model *model, uint32_t step);
+
 /* The descriptor of the classified volume, all but the voxels' address. */
 void model_describe(qv_volume *volume, const struct model *model);
 

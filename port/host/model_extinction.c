@@ -1,5 +1,5 @@
 /*
- * model_extinction.c - transfer tables of extinction.
+ * model_extinction.c - transfer tables of extinction, and of opacity for another length.
  *
  * Classification copies the table's fourth channel as it is, so voxels hold extinction
  * where the table does.
@@ -37,7 +37,15 @@ static uint32_t least_extinction(const struct model *model, uint32_t unit_distan
     return extinction;
 }
 
-/* In place, and the palette of 8 bits from it. */
+/* Of 8 bits, from the table; that of 16 bits is the table. */
+static void renew_palette(struct model *model)
+{
+    if (model->palette_bytes == QV_PALETTE8_BYTES) {
+        qv_transfer_to_palette8(model->palette, &model->table);
+    }
+}
+
+/* In place. */
 static void convert_table(struct model *model, uint32_t extinction, uint32_t unit_distance)
 {
     qv_entries entries;
@@ -45,9 +53,7 @@ static void convert_table(struct model *model, uint32_t extinction, uint32_t uni
     check_status(qv_opacity_to_extinction(&model->table, sizeof model->table, QV_STORAGE_RGBT16,
                                           extinction, &entries),
                  model, "extinction");
-    if (model->palette_bytes == QV_PALETTE8_BYTES) {
-        qv_transfer_to_palette8(model->palette, &model->table);
-    }
+    renew_palette(model);
     model->unit_distance = unit_distance;
     model->extinction = extinction;
 }
@@ -71,5 +77,19 @@ void model_hold_extinction(struct model *model, const struct settings *settings)
     convert_table(model, extinction, unit);
     if (model->mask != NULL) {
         convert_table(model->mask, extinction, unit);
+    }
+}
+
+void model_hold_steps(struct model *model, uint32_t step)
+{
+    qv_entries entries;
+    table_entries(&entries, model, model->unit_distance);
+    check_status(qv_opacity_to_opacity(&model->table, sizeof model->table, QV_STORAGE_RGBA16, step,
+                                       &entries),
+                 model, "opacity");
+    renew_palette(model);
+    model->unit_distance = 0;
+    if (model->mask != NULL) {
+        model_hold_steps(model->mask, step);
     }
 }

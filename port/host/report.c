@@ -3,6 +3,7 @@
  */
 #include "report.h"
 #include "crc32.h"
+#include "report_slices.h"
 #include "sampling.h"
 
 #include <inttypes.h>
@@ -60,13 +61,18 @@ static const char *sample_rule(const struct view *view, bool by_length)
     return by_length ? PIECES_ORTHOGRAPHIC : SAMPLES_ORTHOGRAPHIC;
 }
 
+static bool ends_early(const struct settings *settings)
+{
+    return !settings->slices.wanted && !settings_back_to_front(settings);
+}
+
 static void report_sampling(struct json *json, const qv_scene *scene, const struct view *view,
                             const struct model *model, const struct settings *settings)
 {
     bool by_length = sampling_by_length(settings, model->storage);
     json_object(json, "sampling");
     json_text(json, "mode", choice_name(sampling_names, sampling_mode(settings, model->storage)));
-    json_text(json, "order", settings->back_to_front ? "back-to-front" : "front-to-back");
+    json_text(json, "order", settings_back_to_front(settings) ? "back-to-front" : "front-to-back");
     json_boolean(json, "by_length", by_length);
     if (scene->pyramid != NULL) {
         json_integer(json, "level_q8", scene->level);
@@ -80,7 +86,7 @@ static void report_sampling(struct json *json, const qv_scene *scene, const stru
     json_text(json, "samples", sample_rule(view, by_length));
     json_text(json, "position",
               "p rounded to 1/256 voxel, ties upwards; values clamped at centres");
-    json_integer(json, "termination", settings->back_to_front ? 0 : scene->termination);
+    json_integer(json, "termination", ends_early(settings) ? scene->termination : 0);
     json_close(json);
 }
 
@@ -102,19 +108,22 @@ static void report_frame(struct json *json, const qv_scene *scene, const struct 
     json_close(json);
 }
 
-static void report_statistics(struct json *json, const struct frame *frame)
+static void report_statistics(struct json *json, const struct frame *frame, bool of_rays)
 {
     json_object(json, "statistics");
     json_unsigned(json, "rays", (uint64_t)frame->width * frame->height);
-    json_unsigned(json, "samples", frame->samples);
-    json_unsigned(json, "skipped", frame->skipped);
-    json_unsigned(json, "terminated", frame->terminated);
+    if (of_rays) {
+        json_unsigned(json, "samples", frame->samples);
+        json_unsigned(json, "skipped", frame->skipped);
+        json_unsigned(json, "terminated", frame->terminated);
+    }
     json_decimal(json, "seconds", frame->seconds);
     json_close(json);
 }
 
 void report_scene(output *out, const struct model *model, const qv_scene *scene,
-                  const struct levels *levels, const struct view *view, const struct frame *frame,
+                  const struct levels *levels, const struct view *view,
+                  const struct slicing *slicing, const struct frame *frame,
                   const struct settings *settings)
 {
     struct json json;
@@ -126,7 +135,12 @@ void report_scene(output *out, const struct model *model, const qv_scene *scene,
     }
     report_camera(&json, scene, view);
     report_sampling(&json, scene, view, model, settings);
+    if (slicing != NULL) {
+        report_slices(&json, slicing, frame, settings);
+    } else {
+        json_null(&json, "slices");
+    }
     report_frame(&json, scene, frame);
-    report_statistics(&json, frame);
+    report_statistics(&json, frame, slicing == NULL);
     json_end(&json);
 }

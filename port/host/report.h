@@ -9,9 +9,10 @@
 #include "report_model.h"
 #include "scene.h"
 
-/* Levels are reported where the scene has a pyramid. */
+/* Levels are reported where the scene has a pyramid; slicing: null for rays. */
 void report_scene(output *out, const struct model *model, const qv_scene *scene,
-                  const struct levels *levels, const struct view *view, const struct frame *frame,
+                  const struct levels *levels, const struct view *view,
+                  const struct slicing *slicing, const struct frame *frame,
                   const struct settings *settings);
 
 #endif

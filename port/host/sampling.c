@@ -56,15 +56,18 @@ static enum way way_of(const struct settings *settings)
     if (settings->level_given) {
         return THROUGH_LEVELS;
     }
-    return settings->back_to_front ? BACK_TO_FRONT : FRONT_TO_BACK;
+    return settings_back_to_front(settings) ? BACK_TO_FRONT : FRONT_TO_BACK;
 }
 
-/* Where nothing asks for lengths, weighted samples stand for one step each. */
+/* Where nothing asks for lengths, weighted samples stand for one step each. A number of slices
+   does: their opacities hold for a length. */
 bool sampling_by_length(const struct settings *settings, qv_storage storage)
 {
     const struct family *family = &families[sampling_mode(settings, storage)];
-    return family->by_step[FRONT_TO_BACK][0] == NULL || settings->unit_distance > 0 ||
-           settings->level_given;
+    bool asked =
+        settings->unit_distance > 0 || settings->level_given || settings->slices.count != 0;
+    return family->by_step[FRONT_TO_BACK][0] == NULL ||
+           (asked && family->opacity[FRONT_TO_BACK][0] != NULL);
 }
 
 const qv_sampling *sampling_choose(const struct settings *settings, qv_storage storage)

@@ -7,6 +7,7 @@
 #include <math.h>
 
 #define FULL_TURN 4294967296.0
+#define Q30       1073741824.0
 /* Of qv_scene.level. */
 #define LEVEL_ONE 256
 
@@ -28,12 +29,52 @@ static uint32_t pitch(const qv_volume *volume, const struct settings *settings)
     return (uint32_t)lround(fmin(units * QV_ONE_Q16, INT32_MAX));
 }
 
+/* From the plane that first touches the box to the one that leaves it, in world units. */
+static double world_depth(const uint16_t size[3], const uint32_t spacing[3],
+                          const struct settings *settings)
+{
+    int32_t rotation[3][3];
+    double depth = 0;
+    settings_rotation(rotation, settings);
+    for (unsigned a = 0; a < 3; a++) {
+        double forward = fabs((double)rotation[2][a]) / Q30;
+        depth += forward * size[a] * spacing[a] / QV_ONE_Q16;
+    }
+    return depth;
+}
+
+uint32_t scene_step(const uint16_t size[3], const uint32_t spacing[3],
+                    const struct settings *settings)
+{
+    uint32_t slices = settings->slices.count;
+    double step = settings->step;
+    if (slices != 0) {
+        step = world_depth(size, spacing, settings) / slices;
+        if (step < STEP_LEAST || step > STEP_MOST) {
+            usage_error("--slices", "%u of them are %g apart, which is not %g to %d", slices, step,
+                        STEP_LEAST, STEP_MOST);
+        }
+    }
+    return (uint32_t)lround(step * QV_ONE_Q16);
+}
+
+/* So many slices lie evenly about the box's centre, where the grid of samples has its 0: an
+   even number of them between its places. */
+static uint16_t scene_phase(const struct settings *settings)
+{
+    double phase = settings->phase;
+    if (settings->slices.count != 0) {
+        phase = settings->slices.count % 2 == 0 ? 0.5 : 0;
+    }
+    return (uint16_t)lround(fmin(phase * 65536, 65535));
+}
+
 /* Every number becomes the integer that the report prints. */
 static void set_view(struct view *view, const qv_volume *volume, const struct settings *settings)
 {
     settings_rotation(view->view.rotation, settings);
     view->view.pitch = pitch(volume, settings);
-    view->view.step = (uint32_t)lround(settings->step * QV_ONE_Q16);
+    view->view.step = scene_step(volume->size, volume->spacing, settings);
     view->view.width = (uint16_t)settings->size[0];
     view->view.height = (uint16_t)settings->size[1];
     view->field_of_view = (qv_angle)llround(settings->perspective / 360 * FULL_TURN);
@@ -90,7 +131,7 @@ void scene_create(qv_scene *scene, struct view *view, const struct model *model,
 {
     set_view(view, &scene->volume, settings);
     set_camera(scene, view);
-    scene->phase = (uint16_t)lround(fmin(settings->phase * 65536, 65535));
+    scene->phase = scene_phase(settings);
     scene->termination = settings->termination < 0
                              ? QV_TERMINATION_DEFAULT
                              : (uint16_t)lround(settings->termination * 65535);

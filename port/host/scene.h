@@ -12,6 +12,11 @@ struct view {
     qv_angle field_of_view; /* 0: orthographic */
 };
 
+/* Between samples, Q16.16 world units: that of --step, or what --slices makes of a box of this
+   size and spacing. */
+uint32_t scene_step(const uint16_t size[3], const uint32_t spacing[3],
+                    const struct settings *settings);
+
 /* Fills a zeroed scene in which volume, pyramid and sampling are set. */
 void scene_create(qv_scene *scene, struct view *view, const struct model *model,
                   const struct settings *settings);

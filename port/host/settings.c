@@ -5,6 +5,7 @@
 #include "error.h"
 #include "parallel.h"
 #include "pixel_format.h"
+#include "settings_slices.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -49,31 +50,11 @@ const choice domain_names[] = {
     {NULL, 0},
 };
 
-static const choice order_names[] = {{"front-to-back", 0}, {"back-to-front", 1}, {NULL, 0}};
+static const choice order_names[] = {
+    {"front-to-back", ORDER_FRONT_TO_BACK}, {"back-to-front", ORDER_BACK_TO_FRONT}, {NULL, 0}};
 static const choice endian_names[] = {{"little", 0}, {"big", 1}, {NULL, 0}};
 static const choice container_names[] = {
     {"png", CONTAINER_PNG}, {"pam", CONTAINER_PAM}, {"raw", CONTAINER_RAW}, {NULL, 0}};
-
-/* Readers of values, or usage errors that tell the range. */
-static double decimal_between(const char *option, const char *value, double least, double most)
-{
-    double number;
-    if (!read_decimal(value, &number) || number < least || number > most) {
-        usage_error(option, "'%s' is not a number from %g to %g", value, least, most);
-    }
-    return number;
-}
-
-static uint64_t integer_between(const char *option, const char *value, uint64_t least,
-                                uint64_t most)
-{
-    uint64_t number;
-    if (!read_unsigned(value, most, &number) || number < least) {
-        usage_error(option, "'%s' is not a whole number from %llu to %llu", value,
-                    (unsigned long long)least, (unsigned long long)most);
-    }
-    return number;
-}
 
 /* Of a file or a preset. */
 static void keep_name(const char **name, const char *option, const char *value)
@@ -196,7 +177,7 @@ static void set_sampling(struct settings *settings, const char *option, const ch
 
 static void set_order(struct settings *settings, const char *option, const char *value)
 {
-    settings->back_to_front = choose(option, value, order_names) != 0;
+    settings->order = choose(option, value, order_names);
 }
 
 static void set_level(struct settings *settings, const char *option, const char *value)
@@ -252,12 +233,14 @@ static void set_perspective(struct settings *settings, const char *option, const
 
 static void set_step(struct settings *settings, const char *option, const char *value)
 {
-    settings->step = decimal_between(option, value, 1.0 / 16, 16);
+    settings->step = decimal_between(option, value, STEP_LEAST, STEP_MOST);
+    settings->step_given = true;
 }
 
 static void set_phase(struct settings *settings, const char *option, const char *value)
 {
     settings->phase = decimal_between(option, value, 0, 65535.0 / 65536);
+    settings->phase_given = true;
 }
 
 static void set_termination(struct settings *settings, const char *option, const char *value)
@@ -384,8 +367,8 @@ const struct option_spec option_specs[] = {
 
     {"sampling", 0, "MODE", "how samples are made, see below (weighted)", set_sampling,
      GROUP_PICTURE},
-    {"order", 0, "ORDER", "front-to-back or back-to-front (front-to-back)", set_order,
-     GROUP_PICTURE},
+    {"order", 0, "ORDER", "front-to-back or back-to-front (rays: the one, slices: the other)",
+     set_order, GROUP_PICTURE},
     {"level", 0, "L|auto", "level of detail, 1.5 lies between two; 0 is the volume", set_level,
      GROUP_PICTURE},
     {"filter", 0, "FILTER", "of coarser levels: box2, box4 or quad4 (box4; B-splines: quad4)",
@@ -406,6 +389,30 @@ const struct option_spec option_specs[] = {
      GROUP_PICTURE},
     {"format", 0, "FORMAT", "pixels as a display takes them, see below", set_format, GROUP_PICTURE},
     {"as", 0, "KIND", "png, pam or raw (the device's bytes), whatever FILE ends in", set_container,
+     GROUP_PICTURE},
+    {"compositing", 0, "HOW", "rays, or slices in a frame buffer that stays, see below (rays)",
+     set_compositing, GROUP_PICTURE},
+    {"framebuffer", 0, "BITS", "8, 12, 16 or 24 a channel, or 565 (8)", set_framebuffer,
+     GROUP_PICTURE},
+    {"dither", 0, "HOW", "none, random, ordered, bump, rounding or feedback (rounding; 24: none)",
+     set_dither, GROUP_PICTURE},
+    {"residual", 0, "4|8", "bits a channel beside the frame buffer, for feedback (8)", set_residual,
+     GROUP_PICTURE},
+    {"sequence", 0, "NAME", "of dither values: golden, hash or blocks (blocks; random: hash)",
+     set_sequence, GROUP_PICTURE},
+    {"period", 0, "SLICES", "of random, ordered and bumped dither, 2 to 64 (32)", set_period,
+     GROUP_PICTURE},
+    {"slope", 0, "A[,B]", "multiplies dithered opacities; bumped, by B from the knee on (1)",
+     set_slope, GROUP_PICTURE},
+    {"cutoff", 0, "LEVEL", "of 255: opacities above are rounded, not dithered (255)", set_cutoff,
+     GROUP_PICTURE},
+    {"frame", 0, "N", "shifts the dither from frame to frame (0)", set_frame, GROUP_PICTURE},
+    {"still", 0, NULL, "the same dither for all pixels of a slice", set_still, GROUP_PICTURE},
+    {"chunk", 0, "SLICES", "drawn into a buffer of their own, and that into the picture", set_chunk,
+     GROUP_PICTURE},
+    {"slices", 0, "N", "through the box, in place of --step; opacities hold for 1 voxel",
+     set_slices, GROUP_PICTURE},
+    {"bricks", 0, "XxYxZ", "parts of the volume, each drawn into a buffer of its own", set_bricks,
      GROUP_PICTURE},
     {"strip", 0, "ROWS", "rendered at a time; changes no byte (16)", set_strip, GROUP_PICTURE},
 

@@ -10,6 +10,10 @@
 /* The library's largest factor of a reduction. */
 #define FACTOR_MOST 64
 
+/* The library's range of steps, in units of the smallest spacing. */
+#define STEP_LEAST (1.0 / 16)
+#define STEP_MOST  16
+
 /* By storage: extinction where voxels hold it, else weighted. */
 enum sampling_mode {
     SAMPLING_BY_STORAGE,
@@ -24,7 +28,44 @@ enum sampling_mode {
 /* By sampling: what suits its reconstruction. */
 enum filter_kind { FILTER_BY_SAMPLING, FILTER_BOX2, FILTER_BOX4, FILTER_QUAD4 };
 enum domain_kind { DOMAIN_BY_DEFAULT, DOMAIN_EXTINCTION, DOMAIN_OPACITY };
+enum order { ORDER_BY_COMPOSITING, ORDER_FRONT_TO_BACK, ORDER_BACK_TO_FRONT };
+/* By frame buffer: rounding, but for 24 bits. */
+enum dither_kind {
+    DITHER_BY_FRAMEBUFFER,
+    DITHER_NONE,
+    DITHER_RANDOM,
+    DITHER_ORDERED,
+    DITHER_BUMP,
+    DITHER_ROUNDING,
+    DITHER_FEEDBACK
+};
+enum sequence_kind {
+    SEQUENCE_BY_DITHER,
+    SEQUENCE_ROUNDED,
+    SEQUENCE_GOLDEN,
+    SEQUENCE_HASH,
+    SEQUENCE_BLOCKS
+};
 enum container { CONTAINER_BY_ENDING, CONTAINER_PNG, CONTAINER_PAM, CONTAINER_RAW };
+
+/* Slices and the frame buffer that they are blended into. 0: not given. */
+struct slice_settings {
+    bool wanted;       /* else rays */
+    uint32_t count;    /* slices through the box */
+    int framebuffer;   /* bits a channel, or 565 */
+    int dither;        /* enum dither_kind */
+    int sequence;      /* enum sequence_kind */
+    unsigned residual; /* bits a channel */
+    unsigned period;   /* slices */
+    unsigned slopes;   /* how many were given */
+    double slope[2];
+    unsigned cutoff; /* levels of 255 */
+    bool frame_given;
+    uint32_t frame;
+    bool still;
+    uint32_t chunk;     /* slices */
+    uint32_t bricks[3]; /* parts of each axis */
+};
 
 struct settings {
     const char *operands[2];
@@ -54,7 +95,7 @@ struct settings {
     double light[2]; /* degrees from the viewer: to the right, up */
 
     int sampling; /* enum sampling_mode */
-    bool back_to_front;
+    int order;    /* enum order */
     bool level_given;
     bool level_auto;
     double level;
@@ -64,13 +105,17 @@ struct settings {
     double angles[3]; /* degrees: azimuth, elevation, roll */
     double zoom;
     double perspective; /* degrees; 0: orthographic */
+    bool step_given;
     double step;
+    bool phase_given;
     double phase;
     double termination; /* negative: the library's default */
     uint8_t background[4];
     const char *format; /* null: rgb888, or rgba8888 over a transparent background */
     int container;      /* enum container */
     uint32_t strip;     /* rows rendered at a time; 0: by default */
+
+    struct slice_settings slices;
 
     uint32_t reduce[3]; /* 0: not given */
     uint64_t fit;       /* bytes; 0: not given */
@@ -113,6 +158,19 @@ extern const choice storage_names[];
 extern const choice sampling_names[];
 extern const choice filter_names[];
 extern const choice domain_names[];
+
+/* Of --order, or the one that suits --compositing. */
+bool settings_back_to_front(const struct settings *settings);
+
+/* An option that would change nothing, or could not be heeded, without another. */
+struct option_need {
+    const char *option;
+    bool given, met;
+    const char *need;
+};
+
+/* A usage error for the first of them that is given and not met. */
+void settings_refuse(const struct option_need *needs, unsigned count);
 
 /* Refuses options that would change nothing without another; `groups` are those of
    the command. */

@@ -4,6 +4,7 @@
 #include "settings.h"
 #include "error.h"
 #include "picture.h"
+#include "settings_slices.h"
 #include "voxel_storage.h"
 
 bool settings_want_array(const struct settings *settings)
@@ -25,20 +26,32 @@ static bool sampling_may_weigh(const struct settings *settings)
     return settings->sampling != SAMPLING_NEAREST && settings->sampling != SAMPLING_SEPARATE;
 }
 
+bool settings_back_to_front(const struct settings *settings)
+{
+    return settings->order == ORDER_BY_COMPOSITING ? settings->slices.wanted
+                                                   : settings->order == ORDER_BACK_TO_FRONT;
+}
+
+void settings_refuse(const struct option_need *needs, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++) {
+        if (needs[i].given && !needs[i].met) {
+            usage_error(needs[i].option, "needs %s", needs[i].need);
+        }
+    }
+}
+
 void settings_check_needs(const struct settings *settings, int groups)
 {
     bool exports = (groups & GROUP_EXPORT) != 0;
     bool array = settings_want_array(settings);
     bool unit = settings->unit_distance > 0;
-    const struct {
-        const char *option;
-        bool given, met;
-        const char *need;
-    } needs[] = {
+    bool rays_from_behind = settings_back_to_front(settings) && !settings->slices.wanted;
+    const struct option_need needs[] = {
         {"--mask", settings->mask != NULL, settings->mask_transfer != NULL, "--mask-tf"},
         {"--mask-tf", settings->mask_transfer != NULL, settings->mask != NULL, "--mask"},
         {"--light", settings->light_given, settings->shade, "--shade"},
-        {"--termination", settings->termination >= 0, !settings->back_to_front,
+        {"--termination", settings->termination >= 0, !rays_from_behind,
          "--order front-to-back: from the back no ray ends early"},
         {"--unit-distance", unit && exports, export_keeps_unit(settings),
          "--storage rgbt8 or rgbt16, --extinction, --json or an output that ends in .c or .h"},
@@ -46,7 +59,7 @@ void settings_check_needs(const struct settings *settings, int groups)
          "another --sampling: nearest and separate take opacities as they are"},
         {"--level", settings->level_given, sampling_may_weigh(settings),
          "another --sampling: nearest and separate have no levels"},
-        {"--level", settings->level_given, !settings->back_to_front, "--order front-to-back"},
+        {"--level", settings->level_given, !rays_from_behind, "--order front-to-back"},
         {"--filter", settings->filter != FILTER_BY_SAMPLING, exports || settings->level_given,
          "--level"},
         {"--domain", settings->domain != DOMAIN_BY_DEFAULT, exports || settings->level_given,
@@ -56,11 +69,8 @@ void settings_check_needs(const struct settings *settings, int groups)
         {"--endian", settings->endian_given && exports, !array,
          "raw output: C arrays are in the compiler's byte order"},
     };
-    for (unsigned i = 0; i < sizeof needs / sizeof needs[0]; i++) {
-        if (needs[i].given && !needs[i].met) {
-            usage_error(needs[i].option, "needs %s", needs[i].need);
-        }
-    }
+    settings_refuse(needs, sizeof needs / sizeof needs[0]);
+    settings_check_slices(settings);
 }
 
 qv_storage settings_storage(const struct settings *settings, qv_storage by_default)

@@ -111,6 +111,25 @@ bool read_sizes(const char *text, unsigned count, uint64_t most, uint32_t *value
     return true;
 }
 
+double decimal_between(const char *option, const char *value, double least, double most)
+{
+    double number;
+    if (!read_decimal(value, &number) || number < least || number > most) {
+        usage_error(option, "'%s' is not a number from %g to %g", value, least, most);
+    }
+    return number;
+}
+
+uint64_t integer_between(const char *option, const char *value, uint64_t least, uint64_t most)
+{
+    uint64_t number;
+    if (!read_unsigned(value, most, &number) || number < least) {
+        usage_error(option, "'%s' is not a whole number from %llu to %llu", value,
+                    (unsigned long long)least, (unsigned long long)most);
+    }
+    return number;
+}
+
 bool read_colour(const char *text, uint8_t rgb[3])
 {
     unsigned long number;

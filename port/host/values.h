@@ -25,6 +25,10 @@ bool read_decimals(const char *text, char separator, unsigned count, double *val
 /* Exactly `count` integers from 1 to most, as in 181x217x181. */
 bool read_sizes(const char *text, unsigned count, uint64_t most, uint32_t *values);
 
+/* Of an option, or a usage error that tells the range. */
+double decimal_between(const char *option, const char *value, double least, double most);
+uint64_t integer_between(const char *option, const char *value, uint64_t least, uint64_t most);
+
 /* RRGGBB. */
 bool read_colour(const char *text, uint8_t rgb[3]);
 

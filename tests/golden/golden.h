@@ -216,7 +216,7 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x9ad6755cu, /* 204 corrected, indexed8_16, over_rgb24, orthographic, grey4 */
     0x9afd0471u, /* 205 extinction, rgba8, over_rgba24, orthographic, mono_horizontal */
     0xf78b5ba0u, /* 206 extinction, rgba16, under_rgb16, perspective, mono_vertical */
-    0x114352b9u, /* 207 extinction, indexed8, under_rgb24, orthographic, rgba8888 */
+    0x2cf73dcdu, /* 207 extinction, indexed8, under_rgb24, orthographic, rgba8888 */
     0x80d56e99u, /* 208 extinction, indexed8_16, hardware_rgb888, perspective, bgra8888 */
     0x8e862491u, /* 209 extinction, rgbt8, hardware_rgb565, orthographic, rgb888 */
     0x61ce5b5du, /* 210 extinction, rgbt16, hardware_rgba12, perspective, rgb565_le */
@@ -235,7 +235,7 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0xbdf33667u, /* 223 weighted, rgba8, over_rgba16, orthographic, mono_horizontal */
     0x90c53704u, /* 224 weighted, rgba16, over_rgb24, perspective, mono_vertical */
     0x3cdecba9u, /* 225 weighted, indexed8, over_rgba24, perspective, rgba8888 */
-    0xf075b420u, /* 226 weighted, indexed8_16, under_rgb16, orthographic, bgra8888 */
+    0x8dcd42b0u, /* 226 weighted, indexed8_16, under_rgb16, orthographic, bgra8888 */
     0x6cb32b64u, /* 227 corrected, rgba8, under_rgb24, orthographic, rgb888 */
     0x530d905au, /* 228 corrected, rgba16, hardware_rgb888, orthographic, rgb565_le */
     0x8903b9f0u, /* 229 corrected, indexed8, hardware_rgb565, perspective, rgb565_be */

@@ -55,7 +55,7 @@ typedef struct golden_blends {
     const golden_blend *blend;
     uint32_t count;
     qv_sequence *const *sequence;
-    qv_technique *const *technique;
+    const qv_technique *const *technique;
 } golden_blends;
 
 /* The ways to render one picture; all give the same bytes. */

@@ -47,9 +47,9 @@ static const golden_blend blends[] = {
 static qv_sequence *const sequences[GOLDEN_SEQUENCES] = {qv_sequence_blocks, qv_sequence_golden,
                                                          qv_sequence_hash, qv_sequence_rounded};
 
-static qv_technique *const techniques[GOLDEN_TECHNIQUES] = {
-    qv_technique_corrected, qv_technique_bumped, qv_technique_ordered, qv_technique_random,
-    qv_technique_rounded};
+static const qv_technique *const techniques[GOLDEN_TECHNIQUES] = {
+    &qv_technique_corrected, &qv_technique_bumped, &qv_technique_ordered, &qv_technique_random,
+    &qv_technique_rounded};
 
 static const golden_blends of_slices = {blends, COUNT(blends), sequences, techniques};
 

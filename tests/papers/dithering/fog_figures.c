@@ -334,11 +334,12 @@ static const claim claims[] = {
 
 static const figure *figure_of(int number)
 {
-    const figure *of = figures;
-    while (of->number != number) {
-        of++;
+    size_t i = 0;
+    while (i < COUNT(figures) && figures[i].number != number) {
+        i++;
     }
-    return of;
+    paper_require(i < COUNT(figures), "a claim about a figure that there is not");
+    return &figures[i];
 }
 
 static double quantity_of(const claim *said, const plot *curves)

@@ -1,0 +1,92 @@
+/*
+ * Source: Williams et al., alpha dithering for 8-bit compositing: sections 5 and 6, table 3.
+ */
+#include "dither_table.h"
+
+#include "fx_alpha.h"
+#include "fx_unorm.h"
+#include "fx_wide.h"
+
+#define PERIOD_LEAST 2u
+#define PERIOD_MOST  64u
+#define SLOPE_MOST   ((uint32_t)1 << 20)
+#define SLOPE_ONE    65536u
+#define NO_CUTOFF    255u
+
+static int is_period(uint8_t period)
+{
+    return period >= PERIOD_LEAST && period <= PERIOD_MOST;
+}
+
+uint32_t qv_dither_table_bytes(uint8_t period, uint8_t entry_bytes)
+{
+    if (!is_period(period) || (entry_bytes != 1 && entry_bytes != 4))
+        return 0;
+    return (uint32_t)QV_PALETTE_ENTRIES * period * entry_bytes;
+}
+
+uint8_t qv_dither_table_place(uint8_t period, int32_t slice, uint32_t frame, int32_t x, int32_t y)
+{
+    if (!is_period(period))
+        return 0;
+    fx_period of = fx_period_of(period);
+    uint32_t phase = fx_phase(&of, (uint32_t)slice + (uint32_t)QV_FIRST_SLICE);
+    return (uint8_t)qv_table_place(&of, phase, fx_dither_at(0, (uint32_t)x, (uint32_t)y, frame));
+}
+
+/* Levels with 16 fraction bits of 16 bits, to nearest: 65535 is 255 * 65536. */
+static uint32_t level_of(uint16_t opacity)
+{
+    uint32_t product = opacity * (uint32_t)255;
+    return product + ((product + 32768u) >> 16);
+}
+
+/* The entry of a value at a phase: colours are weighted by the dithered opacity, never dithered
+   apart (section 5), and rounded to nearest: at most the opacity. */
+static void write_entry(uint8_t *to, uint8_t entry_bytes, const uint16_t rgba[4],
+                        const fx_alpha *alpha, uint32_t phase)
+{
+    uint32_t opacity = fx_alpha_ordered(alpha, level_of(rgba[3]), phase);
+    for (unsigned c = 0; c + 1u < entry_bytes; c++)
+        to[c] = (uint8_t)fx_div65535_round(rgba[c] * opacity);
+    to[entry_bytes - 1u] = (uint8_t)opacity;
+}
+
+/*
+ * All places of a value. Place p has phase p + value, modulo the period: the pattern is turned
+ * by 1 from value to value. Hits of a pattern lie at least floor(period / hits) apart, so that
+ * as many equal neighbours never hit together; as in table 3.
+ */
+static void write_value(uint8_t *to, uint8_t entry_bytes, const uint16_t rgba[4],
+                        const fx_alpha *alpha, uint16_t value)
+{
+    uint32_t phase = fx_phase(&alpha->period, value);
+    to += (size_t)value * entry_bytes;
+    for (uint32_t place = 0; place < alpha->period.slices; place++) {
+        write_entry(to, entry_bytes, rgba, alpha, phase);
+        to += (size_t)QV_PALETTE_ENTRIES * entry_bytes;
+        phase = phase + 1u < alpha->period.slices ? phase + 1u : 0;
+    }
+}
+
+qv_status qv_dither_table_build(void *to, size_t bytes, uint8_t entry_bytes,
+                                const qv_dither *dither, const qv_transfer *transfer,
+                                uint16_t first, uint16_t end)
+{
+    if (!to || !dither || !transfer)
+        return QV_ERROR_NULL;
+    if ((entry_bytes != 1 && entry_bytes != 4) || first >= end || end > QV_PALETTE_ENTRIES)
+        return QV_ERROR_SIZE;
+    if (!is_period(dither->period) || dither->slope[0] > SLOPE_MOST)
+        return QV_ERROR_DITHER;
+    if (bytes < qv_dither_table_bytes(dither->period, entry_bytes))
+        return QV_ERROR_BUFFER;
+
+    uint32_t slope = dither->slope[0] == 0 ? SLOPE_ONE : dither->slope[0];
+    const fx_alpha alpha = {fx_period_of(dither->period),
+                            {slope, slope},
+                            dither->cutoff == 0 ? NO_CUTOFF : dither->cutoff};
+    for (uint16_t value = first; value < end; value++)
+        write_value(to, entry_bytes, transfer->rgba[value], &alpha, value);
+    return QV_OK;
+}

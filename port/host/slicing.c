@@ -1,0 +1,162 @@
+/*
+ * slicing.c - a table of the library's blends.
+ */
+#include "slicing.h"
+#include "error.h"
+#include "settings_slices.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+/* Of the paper's figures, unless it says otherwise. */
+#define PERIOD_DEFAULT 32
+/* The cutoff above which no opacity lies. */
+#define CUTOFF_DEFAULT 255
+
+/* Who is dithered: opacities, the results of blending, or these with a residual beside. */
+enum method { OPACITIES, RESULTS, RESIDUAL4, RESIDUAL8 };
+
+static const struct way {
+    int framebuffer;
+    enum method method;
+    const qv_blend *rgb, *rgba, *front_to_back; /* null: there is none */
+} ways[] = {
+    {8, OPACITIES, &qv_hardware_rgb888, &qv_hardware_rgba8888, &qv_under_rgb888},
+    {8, RESULTS, &qv_over_rgb888, &qv_over_rgba8888, &qv_under_rgb888},
+    {8, RESIDUAL4, &qv_over_rgb888_residual4, &qv_over_rgba8888_residual4, NULL},
+    {8, RESIDUAL8, &qv_over_rgb888_residual8, &qv_over_rgba8888_residual8, NULL},
+    {FRAMEBUFFER_565, OPACITIES, &qv_hardware_rgb565, NULL, NULL},
+    {FRAMEBUFFER_565, RESULTS, &qv_over_rgb565, NULL, NULL},
+    {12, OPACITIES, &qv_hardware_rgba12, &qv_hardware_rgba12, NULL},
+    {12, RESULTS, &qv_over_rgba12, &qv_over_rgba12, NULL},
+    /* without dither, results are rounded to nearest */
+    {16, OPACITIES, &qv_over_rgb16, &qv_over_rgba16, &qv_under_rgb16},
+    {16, RESULTS, &qv_over_rgb16, &qv_over_rgba16, &qv_under_rgb16},
+    {24, OPACITIES, &qv_over_rgb24, &qv_over_rgba24, &qv_under_rgb24},
+    {24, RESULTS, &qv_over_rgb24, &qv_over_rgba24, &qv_under_rgb24},
+};
+
+static enum method method_of(int kind, unsigned residual)
+{
+    switch (kind) {
+    case DITHER_ROUNDING:
+        return RESULTS;
+    case DITHER_FEEDBACK:
+        return residual == 4 ? RESIDUAL4 : RESIDUAL8;
+    default:
+        return OPACITIES;
+    }
+}
+
+/* The settings were checked: there is one. */
+static const struct way *way_of(int framebuffer, enum method method)
+{
+    const struct way *way = ways;
+    while (way->framebuffer != framebuffer || way->method != method) {
+        way++;
+    }
+    return way;
+}
+
+/* An opaque background makes every pixel opaque, so opacities need no room, and a technique
+   that looks at the pixel sees its colour. */
+static const qv_blend *blend_of(const struct slicing *slicing, const qv_scene *scene,
+                                const struct settings *settings)
+{
+    const struct way *way =
+        way_of(settings_framebuffer(settings), method_of(slicing->kind, settings->slices.residual));
+    bool opaque = scene->background[3] == 255;
+    if (slicing->front_to_back) {
+        return way->front_to_back;
+    }
+    return opaque && slicing->chunk == 0 && !slicing->in_bricks ? way->rgb : way->rgba;
+}
+
+static const qv_technique *technique_of(int kind, bool sloped)
+{
+    switch (kind) {
+    case DITHER_RANDOM:
+        return &qv_technique_random;
+    case DITHER_ORDERED:
+        return &qv_technique_ordered;
+    case DITHER_BUMP:
+        return sloped ? &qv_technique_bumped : &qv_technique_corrected;
+    default:
+        return &qv_technique_rounded;
+    }
+}
+
+static int sequence_of(int kind, const struct slice_settings *s)
+{
+    if (s->sequence != SEQUENCE_BY_DITHER) {
+        return s->sequence;
+    }
+    switch (kind) {
+    case DITHER_RANDOM:
+        return SEQUENCE_HASH;
+    case DITHER_ROUNDING:
+    case DITHER_FEEDBACK:
+        return SEQUENCE_BLOCKS;
+    case DITHER_BUMP:
+        return s->slopes == 0 ? SEQUENCE_BLOCKS : SEQUENCE_ROUNDED;
+    default:
+        return SEQUENCE_ROUNDED;
+    }
+}
+
+static qv_sequence *library_sequence(int sequence)
+{
+    switch (sequence) {
+    case SEQUENCE_GOLDEN:
+        return qv_sequence_golden;
+    case SEQUENCE_HASH:
+        return qv_sequence_hash;
+    case SEQUENCE_BLOCKS:
+        return qv_sequence_blocks;
+    default:
+        return qv_sequence_rounded;
+    }
+}
+
+static void set_dither_values(struct slicing *slicing, const struct slice_settings *s)
+{
+    qv_dither *dither = &slicing->dither;
+    dither->sequence = library_sequence(slicing->sequence);
+    dither->technique = technique_of(slicing->kind, s->slopes != 0);
+    for (unsigned i = 0; i < 2; i++) {
+        double slope = s->slopes != 0 ? s->slope[i] : 1;
+        dither->slope[i] = (uint32_t)lround(slope * QV_ONE_Q16);
+    }
+    dither->frame = s->frame;
+    dither->period = (uint8_t)(s->period != 0 ? s->period : PERIOD_DEFAULT);
+    dither->cutoff = (uint8_t)(s->cutoff != 0 ? s->cutoff : CUTOFF_DEFAULT);
+    dither->still = s->still;
+    slicing->joining = *dither;
+    slicing->joining.technique = &qv_technique_rounded;
+}
+
+static void set_bricks_of(struct slicing *slicing, const qv_volume *volume,
+                          const uint32_t bricks[3])
+{
+    slicing->in_bricks = bricks[0] != 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        slicing->bricks[axis] = bricks[axis];
+        if (bricks[axis] > volume->size[axis]) {
+            usage_error("--bricks", "%u on an axis of %u voxels", bricks[axis], volume->size[axis]);
+        }
+    }
+}
+
+void slicing_create(struct slicing *slicing, const qv_scene *scene, const struct settings *settings)
+{
+    const struct slice_settings *s = &settings->slices;
+    memset(slicing, 0, sizeof *slicing);
+    slicing->kind = settings_dither(settings);
+    slicing->sequence = sequence_of(slicing->kind, s);
+    slicing->front_to_back = !settings_back_to_front(settings);
+    slicing->chunk = s->chunk;
+    set_bricks_of(slicing, &scene->volume, s->bricks);
+    slicing->blend = blend_of(slicing, scene, settings);
+    set_dither_values(slicing, s);
+}

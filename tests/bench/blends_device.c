@@ -1,0 +1,186 @@
+/*
+ * blends_device.c - instructions of each blend: one measured region (port/measure.h) for
+ * each, PIXELS pixels of SLICES slices, blended through the descriptor as qv_slice does. The
+ * loop, its call and the step of the dither value from pixel to pixel are included. The first
+ * region is the blend that an engineer would write by hand for 8 bits, the next two are
+ * the dither value of a pixel.
+ *
+ * Prints a line for each: name, bytes of a pixel and beside it, and a checksum of the results,
+ * which is the same on every machine.
+ */
+#include "blend.h"
+#include "console.h"
+#include "measure.h"
+
+enum { PIXELS = 32, SLICES = 16, FRAGMENTS = PIXELS + SLICES, CALLS = PIXELS * SLICES };
+enum { PIXEL_BYTES_MOST = 9, BESIDE_BYTES_MOST = 4 };
+
+static qv_fragment fragments[FRAGMENTS];
+static uint8_t plain_fragments[FRAGMENTS][4]; /* the same, as bytes: R, G, B not weighted, A */
+static uint8_t pixels[PIXELS * PIXEL_BYTES_MOST];
+static uint8_t beside[PIXELS * BESIDE_BYTES_MOST];
+
+/* Colours at random; opacities of 1 and below, each octave down to 1/256 as often. */
+static void make_fragments(void)
+{
+    for (uint32_t i = 0; i < FRAGMENTS; i++) {
+        uint32_t opacity = ((fx_hash(i) >> 8) + 0xFF000000u) >> (i & 7u);
+        for (unsigned c = 0; c < 3; c++) {
+            plain_fragments[i][c] = (uint8_t)(fx_hash(i + FRAGMENTS * (c + 1u)) >> 24);
+            fragments[i].light[c] =
+                fx_light_of_colour(plain_fragments[i][c], fx_opacity_q23(opacity));
+        }
+        fragments[i].opacity = opacity;
+        plain_fragments[i][3] = (uint8_t)(opacity >> 24);
+    }
+}
+
+static uint32_t checksum(const uint8_t *bytes, unsigned count)
+{
+    uint32_t sum = 0;
+    while (count-- != 0)
+        sum = sum * 31u + *bytes++;
+    return sum;
+}
+
+static void report(const char *name, unsigned bytes, unsigned beside_bytes, uint32_t sum)
+{
+    console_text(name);
+    console_text(" ");
+    console_decimal(bytes);
+    console_text(" ");
+    console_decimal(beside_bytes);
+    console_text(" ");
+    console_decimal(sum);
+    console_text("\n");
+}
+
+/* ---- By hand ---------------------------------------------------------------- */
+
+/* Equation 1, exactly rounded. */
+static inline uint8_t mixed(uint32_t to, uint32_t from, uint32_t opacity, uint32_t rest)
+{
+    uint32_t sum = from * opacity + to * rest + 128u;
+    return (uint8_t)((sum + (sum >> 8)) >> 8);
+}
+
+/* A row of R, G, B blended with a row of R, G, B, A. */
+static void blend_by_hand(uint8_t *to, const uint8_t *from, unsigned count)
+{
+    for (; count != 0; count--, to += 3, from += 4) {
+        uint32_t opacity = from[3], rest = 255u - opacity;
+        to[0] = mixed(to[0], from[0], opacity, rest);
+        to[1] = mixed(to[1], from[1], opacity, rest);
+        to[2] = mixed(to[2], from[2], opacity, rest);
+    }
+}
+
+static void measure_by_hand(void)
+{
+    measure_begin();
+    for (unsigned slice = 0; slice < SLICES; slice++)
+        blend_by_hand(pixels, plain_fragments[slice], PIXELS);
+    measure_end();
+    report("by_hand", 3, 0, checksum(pixels, PIXELS * 3));
+}
+
+/* ---- Dither values ---------------------------------------------------------- */
+
+static qv_moment moment_of(const qv_dither *dither, const qv_blend *blend, unsigned slice)
+{
+    qv_moment moment;
+    if (qv_moment_of(&moment, dither, blend, (int32_t)slice) != QV_OK)
+        console_text("the dither is refused\n");
+    return moment;
+}
+
+static void measure_moments(const char *name, const qv_blend *blend)
+{
+    const qv_dither dither = {
+        .sequence = qv_sequence_blocks, .technique = &qv_technique_ordered, .period = 16};
+    const qv_moment slice = moment_of(&dither, blend, 0);
+    qv_moment pixel = slice;
+    uint32_t sum = 0;
+    measure_begin();
+    for (int32_t y = 0; y < SLICES; y++)
+        for (int32_t x = 0; x < PIXELS; x++) {
+            qv_moment_shift(&pixel, &slice, &dither, x, y);
+            sum += pixel.u;
+        }
+    measure_end();
+    report(name, 0, 0, sum);
+}
+
+/* ---- Blends ----------------------------------------------------------------- */
+
+static void blend_row(const qv_blend *blend, const qv_fragment *fragment, qv_moment *moment)
+{
+    uint8_t *pixel = pixels, *near = beside;
+    for (unsigned x = 0; x < PIXELS; x++) {
+        if (moment->technique)
+            qv_moment_opacity(moment, blend, pixel, fragment);
+        blend->blend(pixel, near, fragment++, moment);
+        moment->u += FX_LATTICE_X;
+        pixel += blend->bytes;
+        near += blend->beside;
+    }
+}
+
+static void measure_blend(const char *name, const qv_blend *blend, const qv_technique *technique)
+{
+    const qv_fragment black = {{0, 0, 0}, 0};
+    const qv_dither dither = {.sequence = qv_sequence_blocks, .technique = technique, .period = 16};
+    qv_moment moments[SLICES];
+    for (unsigned slice = 0; slice < SLICES; slice++)
+        moments[slice] = moment_of(&dither, blend, slice);
+    for (unsigned x = 0; x < PIXELS; x++)
+        blend->clear(pixels + x * blend->bytes, beside + x * blend->beside, &black);
+    measure_begin();
+    for (unsigned slice = 0; slice < SLICES; slice++)
+        blend_row(blend, fragments + slice, &moments[slice]);
+    measure_end();
+    report(name, blend->bytes, blend->beside,
+           checksum(pixels, (unsigned)PIXELS * blend->bytes) +
+               checksum(beside, (unsigned)PIXELS * blend->beside));
+}
+
+int main(void)
+{
+    static const struct {
+        const char *name;
+        const qv_blend *blend;
+        const qv_technique *technique;
+    } subjects[] = {
+        {"over_rgb888", &qv_over_rgb888, 0},
+        {"over_rgba8888", &qv_over_rgba8888, 0},
+        {"over_rgb888_residual4", &qv_over_rgb888_residual4, 0},
+        {"over_rgba8888_residual4", &qv_over_rgba8888_residual4, 0},
+        {"over_rgb888_residual8", &qv_over_rgb888_residual8, 0},
+        {"over_rgba8888_residual8", &qv_over_rgba8888_residual8, 0},
+        {"over_rgb565", &qv_over_rgb565, 0},
+        {"over_rgba12", &qv_over_rgba12, 0},
+        {"over_rgb16", &qv_over_rgb16, 0},
+        {"over_rgba16", &qv_over_rgba16, 0},
+        {"over_rgb24", &qv_over_rgb24, 0},
+        {"over_rgba24", &qv_over_rgba24, 0},
+        {"under_rgb888", &qv_under_rgb888, 0},
+        {"under_rgb16", &qv_under_rgb16, 0},
+        {"under_rgb24", &qv_under_rgb24, 0},
+        {"hardware_rgb888 rounded", &qv_hardware_rgb888, &qv_technique_rounded},
+        {"hardware_rgba8888 rounded", &qv_hardware_rgba8888, &qv_technique_rounded},
+        {"hardware_rgba8888 random", &qv_hardware_rgba8888, &qv_technique_random},
+        {"hardware_rgba8888 ordered", &qv_hardware_rgba8888, &qv_technique_ordered},
+        {"hardware_rgba8888 bumped", &qv_hardware_rgba8888, &qv_technique_bumped},
+        {"hardware_rgba8888 corrected", &qv_hardware_rgba8888, &qv_technique_corrected},
+        {"hardware_rgb565 rounded", &qv_hardware_rgb565, &qv_technique_rounded},
+        {"hardware_rgba12 rounded", &qv_hardware_rgba12, &qv_technique_rounded},
+        {"hand_out_rgba8888 ordered", &qv_hand_out_rgba8888, &qv_technique_ordered},
+    };
+    make_fragments();
+    measure_by_hand();
+    measure_moments("dither_value", &qv_over_rgb888);
+    measure_moments("dither_phase", &qv_hardware_rgb888);
+    for (unsigned i = 0; i < sizeof subjects / sizeof *subjects; i++)
+        measure_blend(subjects[i].name, subjects[i].blend, subjects[i].technique);
+    return 0;
+}
