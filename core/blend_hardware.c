@@ -5,25 +5,18 @@
 /*
  * The colour that, weighted by an opacity in Q0.23 above 0, is a light: 8 bits and a fraction
  * of up to 8, to nearest, ties upwards, by shift and subtract; at most 255. light <= 255 *
- * opacity: so rest stays below opacity << bit + 1 <= 2^31, and later below 2^24.
+ * opacity: so rest stays below twice the divisor, that is 2^31.
  */
 static uint32_t colour_of(uint32_t light, uint32_t opacity, unsigned fraction)
 {
-    uint32_t rest = light, colour = 0;
-    for (unsigned bit = 8; bit-- != 0;) {
+    uint32_t rest = light, divisor = opacity << 7, colour = 0;
+    for (unsigned bits = 9 + fraction; bits != 0; bits--) { /* the last to round by */
         colour <<= 1;
-        if (rest >= opacity << bit) {
-            rest -= opacity << bit;
+        if (rest >= divisor) {
+            rest -= divisor;
             colour |= 1u;
         }
-    }
-    for (unsigned i = 0; i <= fraction; i++) { /* a bit more than asked for, to round by */
         rest <<= 1;
-        colour <<= 1;
-        if (rest >= opacity) {
-            rest -= opacity;
-            colour |= 1u;
-        }
     }
     return (colour + 1u) >> 1;
 }

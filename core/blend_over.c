@@ -79,20 +79,25 @@ DEFINE_OVER(rgba24, 4, 16, QV_PLAIN, 12, 0)
 
 static const qv_states states_565 = {3, 0, QV_565};
 
+/* A state of 5 or 6 bits, by the factor of its light. */
+FX_INLINE uint32_t blended_narrow(uint32_t state, uint32_t light, const meeting *slice,
+                                  uint32_t factor)
+{
+    light = fx_light_narrow(light < slice->most ? light : slice->most, factor);
+    return fx_blend_dithered(state, light, slice->opacity, slice->u, 0);
+}
+
 static void blend_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment,
                       const qv_moment *moment)
 {
-    static const uint32_t factor[3] = {FX_FACTOR_5, FX_FACTOR_6, FX_FACTOR_5};
     uint32_t opacity = fx_opacity_q23(fragment->opacity);
-    uint32_t most = fx_light_of_colour(255, opacity);
+    const meeting slice = {opacity, fx_light_of_colour(255, opacity), moment->u};
     uint32_t state[4];
     (void)beside;
     qv_states_read(state, pixel, 0, &states_565);
-    for (unsigned c = 0; c < 3; c++) {
-        uint32_t light = fragment->light[c] < most ? fragment->light[c] : most;
-        light = fx_light_narrow(light, factor[c]);
-        state[c] = fx_blend_dithered(state[c], light, opacity, moment->u, 0);
-    }
+    state[0] = blended_narrow(state[0], fragment->light[0], &slice, FX_FACTOR_5);
+    state[1] = blended_narrow(state[1], fragment->light[1], &slice, FX_FACTOR_6);
+    state[2] = blended_narrow(state[2], fragment->light[2], &slice, FX_FACTOR_5);
     qv_states_write(pixel, 0, state, &states_565);
 }
 

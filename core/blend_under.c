@@ -1,5 +1,18 @@
 #include "blend.h"
 
+/* How a slice meets what is in front of it. */
+typedef struct {
+    uint32_t before, after; /* transmittances of the pixel on its two sides */
+    uint32_t most;          /* light of the opacity, which no colour's passes */
+    uint32_t u;
+} meeting;
+
+FX_INLINE uint32_t blended(uint32_t state, uint32_t light, const meeting *slice, unsigned fraction)
+{
+    light = light < slice->most ? light : slice->most;
+    return fx_front_light(state, light, slice->before, slice->after, slice->u, fraction);
+}
+
 /* Section 8.2. Beside the pixel lies its transmittance. */
 FX_INLINE void under(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment, uint32_t u,
                      const qv_states *of)
@@ -7,12 +20,12 @@ FX_INLINE void under(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragmen
     uint32_t most = fx_light_of_colour32(255, fragment->opacity);
     uint32_t before = qv_bytes_read(beside, 3);
     uint32_t after = fx_transmit(before, fragment->opacity);
+    const meeting slice = {before, after, most, u};
     uint32_t state[4];
     qv_states_read(state, pixel, 0, of);
-    for (unsigned c = 0; c < 3; c++) {
-        uint32_t light = fragment->light[c] < most ? fragment->light[c] : most;
-        state[c] = fx_front_light(state[c], light, before, after, u, of->fraction);
-    }
+    state[0] = blended(state[0], fragment->light[0], &slice, of->fraction);
+    state[1] = blended(state[1], fragment->light[1], &slice, of->fraction);
+    state[2] = blended(state[2], fragment->light[2], &slice, of->fraction);
     qv_states_write(pixel, 0, state, of);
     qv_bytes_write(beside, 3, after);
 }
