@@ -60,6 +60,18 @@ $(TABLE_GENERATOR): $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/tables/*.c))
 	@echo "  LD  $@"
 	@$(CC) $(CFLAGS) $^ -lmpfr -lgmp -o $@
 
+RECOMMEND_GENERATOR := $(TEST_OUT)/recommend/recommend
+
+.PHONY: recommend
+recommend: $(RECOMMEND_GENERATOR) ## measure the table of qv_recommend anew: half an hour
+	$(RECOMMEND_GENERATOR) $(TEST_OUT)/recommend_table.h
+	cp $(TEST_OUT)/recommend_table.h core/recommend_table.h
+
+$(RECOMMEND_GENERATOR): $(TEST_OUT)/tests/recommend/recommend.o $(REFERENCE_OBJECTS) $(LIBRARY)
+	@mkdir -p $(@D)
+	@echo "  LD  $@"
+	@$(CC) $(CFLAGS) $^ -lm -o $@
+
 # The papers' figures: a program for each paper, of a folder of its own and what all share.
 PAPER_PROGRAMS := $(addprefix $(TEST_OUT)/papers/,wittenbrink kraus dithering)
 paper_objects = $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/papers/*.c tests/papers/$(1)/*.c))

@@ -3,6 +3,7 @@
 #include "random.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -14,8 +15,12 @@ const char *const ref_slice_kind_names[REF_SLICE_KINDS] = {"constant", "sparse",
 static const double opacities[] = {.003, .01,  .03, .1, .25, .5, .75, 1,  1.1, 1.25,
                                    1.5,  1.75, 2,   3,  5,   8,  12,  20, 40,  100};
 
+/* Opacities so far below the least are left out: all lists are denser. */
+#define FAR_BELOW 8
+
 typedef struct walk {
     ref_slice_case slices;
+    double least;
     uint32_t seed;
     ref_slice_visitor *visit;
     void *user;
@@ -24,6 +29,11 @@ typedef struct walk {
 static double uniform(walk *w)
 {
     return ldexp(random_next(&w->seed), -32);
+}
+
+static bool is_left_out(const walk *w, double opacity)
+{
+    return FAR_BELOW * opacity < w->least;
 }
 
 static void begin(walk *w, ref_slice_kind kind, uint32_t start, double opacity, uint32_t parameter)
@@ -38,7 +48,7 @@ static void begin(walk *w, ref_slice_kind kind, uint32_t start, double opacity, 
 static void set(walk *w, uint32_t n, uint32_t index, double opacity, uint32_t colour)
 {
     w->slices.index[n] = index;
-    w->slices.opacity[n] = (uint32_t)(fmin(opacity / 255, 1) * UINT32_MAX + .5);
+    w->slices.opacity[n] = (uint32_t)(fmin(fmax(opacity, w->least) / 255, 1) * UINT32_MAX + .5);
     w->slices.colour[n] = (uint8_t)colour;
 }
 
@@ -46,7 +56,7 @@ static void finish(walk *w)
 {
     ref_slice_case *slices = &w->slices;
     double over = slices->start, under = 0, clear = 1;
-    for (uint32_t n = 0; n < REF_SLICES; n++) {
+    for (uint32_t n = 0; n < slices->count; n++) {
         const double a = (double)slices->opacity[n] / UINT32_MAX;
         over += a * (slices->colour[n] - over);
         under += clear * a * slices->colour[n];
@@ -63,8 +73,10 @@ static void constant(walk *w)
     for (uint32_t i = 0; i < count; i++)
         for (uint32_t c = 0; c < 256; c += 15) {
             const double a = .003 * pow(255 / .003, (double)i / (count - 1));
+            if (is_left_out(w, a))
+                continue;
             begin(w, REF_SLICES_CONSTANT, c < 128 && i % 2 ? 255 : 0, a, c);
-            for (uint32_t n = 0; n < REF_SLICES; n++)
+            for (uint32_t n = 0; n < w->slices.count; n++)
                 set(w, n, n, a, c);
             finish(w);
         }
@@ -74,10 +86,12 @@ static void sparse(walk *w)
 {
     for (uint32_t k = 2; k <= 300; k++)
         for (size_t i = 0; i < 17; i++) { /* opacities below 13: others need no thousand slices */
+            if (is_left_out(w, opacities[i]))
+                continue;
             const uint32_t first = random_below(&w->seed, 1000);
             const uint32_t colour = k & 1 ? 255 - random_below(&w->seed, 200) : 255;
             begin(w, REF_SLICES_SPARSE, 0, opacities[i], k);
-            for (uint32_t n = 0; n < REF_SLICES; n++)
+            for (uint32_t n = 0; n < w->slices.count; n++)
                 set(w, n, first + n * k, opacities[i], colour);
             finish(w);
         }
@@ -112,11 +126,11 @@ static const double greatest[] = {.03, .1, .3, .5, 1, 1.5, 2, 4, 8, 16, 64, 255}
 static void random_slices(walk *w)
 {
     for (size_t i = 0; i < COUNT(greatest); i++)
-        for (unsigned repeat = 0; repeat < 60; repeat++) {
+        for (unsigned repeat = 0; repeat < 60 && !is_left_out(w, greatest[i]); repeat++) {
             const uint32_t colour = 155 + random_below(&w->seed, 101);
             begin(w, REF_SLICES_RANDOM, repeat & 1 ? random_below(&w->seed, 256) : 0, greatest[i],
                   repeat % 5);
-            for (uint32_t n = 0; n < REF_SLICES; n++)
+            for (uint32_t n = 0; n < w->slices.count; n++)
                 set_random(w, n, greatest[i], colour, repeat % 5);
             finish(w);
         }
@@ -125,11 +139,11 @@ static void random_slices(walk *w)
 static void gaps(walk *w)
 {
     for (size_t i = 0; i < COUNT(greatest); i++)
-        for (uint32_t repeat = 0; repeat < 20; repeat++) {
+        for (uint32_t repeat = 0; repeat < 20 && !is_left_out(w, greatest[i]); repeat++) {
             const uint32_t colour = 155 + random_below(&w->seed, 101);
             uint32_t index = 0;
             begin(w, REF_SLICES_GAPS, 0, greatest[i], repeat);
-            for (uint32_t n = 0; n < REF_SLICES; n++) {
+            for (uint32_t n = 0; n < w->slices.count; n++) {
                 set(w, n, index, greatest[i], colour);
                 index += 1 + random_below(&w->seed, 8);
             }
@@ -148,8 +162,10 @@ static void two_fogs(walk *w)
             for (size_t i = 0; i < COUNT(opacities) * COUNT(ratios); i++) {
                 const double one = opacities[i / COUNT(ratios)];
                 const double other = one * ratios[i % COUNT(ratios)];
+                if (is_left_out(w, one))
+                    continue;
                 begin(w, REF_SLICES_TWO_FOGS, 0, one, runs[run]);
-                for (uint32_t n = 0; n < REF_SLICES; n++) {
+                for (uint32_t n = 0; n < w->slices.count; n++) {
                     const uint32_t second = n / runs[run] & 1;
                     set(w, n, n, second ? other : one, colours[pair][second]);
                 }
@@ -163,11 +179,12 @@ static void surface(walk *w)
     static const double solid[] = {255, 200, 128};
     for (size_t i = 0; i < COUNT(opacities); i++)
         for (size_t fog = 0; fog < COUNT(fogs); fog++)
-            for (size_t s = 0; s < COUNT(solid) * COUNT(places); s++)
+            for (size_t s = 0; s < COUNT(solid) * COUNT(places) && !is_left_out(w, opacities[i]);
+                 s++)
                 for (uint32_t colour = 0; colour < 256; colour += 51) {
-                    const uint32_t place = places[s / COUNT(solid)];
+                    const uint32_t place = places[s / COUNT(solid)] % w->slices.count;
                     begin(w, REF_SLICES_SURFACE, 0, opacities[i], place);
-                    for (uint32_t n = 0; n < REF_SLICES; n++)
+                    for (uint32_t n = 0; n < w->slices.count; n++)
                         set(w, n, n, opacities[i], fogs[fog]);
                     set(w, place, place, solid[s % COUNT(solid)], colour);
                     finish(w);
@@ -194,11 +211,11 @@ static void ramp(walk *w)
     static const uint32_t colours[] = {255, 200, 128, 20};
     for (size_t i = 0; i < COUNT(opacities); i++)
         for (unsigned form = 0; form < 4; form++)
-            for (size_t c = 0; c < 2 * COUNT(colours); c++) {
+            for (size_t c = 0; c < 2 * COUNT(colours) && !is_left_out(w, opacities[i]); c++) {
                 const uint32_t colour = colours[c / 2];
                 begin(w, REF_SLICES_RAMP, c & 1 ? 255 - colour : 0, 2 * opacities[i], form);
-                for (uint32_t n = 0; n < REF_SLICES; n++) {
-                    const double a = 2 * opacities[i] * ramp_at(form, n / (REF_SLICES - 1.0));
+                for (uint32_t n = 0; n < w->slices.count; n++) {
+                    const double a = 2 * opacities[i] * ramp_at(form, n / (w->slices.count - 1.0));
                     set(w, n, n, fmax(a, .003), colour);
                 }
                 finish(w);
@@ -207,7 +224,16 @@ static void ramp(walk *w)
 
 void ref_each_slice_case(ref_slice_visitor *visit, void *user)
 {
+    const ref_slice_limits none = {REF_SLICES, 0};
+    ref_each_slice_case_within(visit, user, &none);
+}
+
+void ref_each_slice_case_within(ref_slice_visitor *visit, void *user,
+                                const ref_slice_limits *limits)
+{
     static walk w;
+    w.slices.count = limits->count;
+    w.least = limits->least;
     w.seed = 12345;
     w.visit = visit;
     w.user = user;

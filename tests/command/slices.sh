@@ -1,0 +1,310 @@
+#!/bin/sh
+# Slices in frame buffers of few bits: against rays, against the paper's figures, and what
+# each option does.
+. tests/command/common
+cd "$work" || exit 1
+"$PYTHON" - <<'PY'
+from volumes import *
+size = 24, 20, 16
+write("in_24x20x16_uint8.raw", packed(blob(size)))
+for depth in 100, 200:
+    write(f"fog_4x{depth}x4_uint8.raw", packed([255] * 16 * depth))
+write("slab_16x16x16_uint8.raw", packed([255] * 4096))
+write("one.tf", b"0 255 255 255 0.00392156863\n")
+write("thin.tf", b"0 255 255 255 0.0015686\n")
+write("rgba_24x20x16.raw", bytes(v // 3 for v in blob(size) for _ in range(4)))
+PY
+IN=in_24x20x16_uint8.raw
+VIEW="--size 70x50 --azimuth 25 --elevation 15 --tf fog"
+
+draw() { # draw OUT OPTION...
+    out=$1
+    shift
+    rm -f "$out"
+    # shellcheck disable=SC2086
+    "$QVOL" render $IN -o "$out" $VIEW "$@" || echo "# failed: $*" >&2
+}
+slices() { # slices OUT OPTION...
+    out=$1
+    shift
+    draw "$out" --compositing slices "$@"
+}
+alike() { # alike NAME A B [LEVELS]: the pictures differ by at most so much
+    check "$1" "$QVOL" compare -q "$2" "$3" --tolerance "${4:-1}"
+}
+cat >mostly.py <<'PY'
+"""mostly.py A B: less than 1 % of the bytes differ by more than 1, and there is something."""
+import sys
+a, b = (open(name, "rb").read() for name in sys.argv[1:])
+far = sum(abs(x - y) > 1 for x, y in zip(a, b))
+sys.exit(len(a) != len(b) or far * 100 > len(a) or max(a[len(a) // 2:]) < 12)
+PY
+mostly() { # mostly NAME A B
+    check "$1" "$PYTHON" mostly.py "$2" "$3"
+}
+
+# Wide frame buffers show what rays show, in every mode.
+for mode in nearest separate weighted extinction bspline-weighted bspline-extinction; do
+    draw rays.pam --sampling $mode --termination 0
+    slices a.pam --sampling $mode --framebuffer 24
+    alike "24 bits, $mode" rays.pam a.pam
+done
+for options in "--perspective 40" "--background 405060" "--background 4050ff --tf bone" "--storage rgbt16" \
+    "--storage indexed8" "--step 0.5 --phase 0.3" "--unit-distance 2" "--level 1.5" "--perspective 50 --level auto"; do
+    # shellcheck disable=SC2086
+    draw rays.pam $options --termination 0
+    for bits in 16 24; do
+        # shellcheck disable=SC2086
+        slices a.pam $options --framebuffer $bits
+        alike "$bits bits, $options" rays.pam a.pam
+        # shellcheck disable=SC2086
+        slices a.pam $options --framebuffer $bits --order front-to-back
+        alike "$bits bits front to back, $options" rays.pam a.pam
+    done
+done
+draw rays.pam --termination 0
+for options in "--dither feedback" "--framebuffer 12" "--dither feedback --residual 4" "--framebuffer 16 --dither none"; do
+    # shellcheck disable=SC2086
+    slices a.pam $options
+    alike "$options" rays.pam a.pam 2
+done
+slices a.pam
+alike "8 bits, dithered rounding" rays.pam a.pam 6
+draw rays.pam --termination 0 --unit-distance 1
+slices a.pam --slices 100 --dither none
+"$QVOL" compare -q rays.pam a.pam --tolerance 12
+check "8 bits without dither are worse" test $? -eq 1
+draw rays.raw --background transparent --as raw --termination 0
+for bits in 12 16 24; do
+    slices a.raw --background transparent --as raw --framebuffer $bits
+    mostly "$bits bits over nothing" rays.raw a.raw
+done
+slices a.raw --background transparent --as raw --framebuffer 16 --order front-to-back
+mostly "front to back over nothing" rays.raw a.raw
+for format in rgb565be grey4 mono-horizontal mono-vertical; do
+    draw rays.pam --format $format --termination 0
+    slices a.pam --format $format --framebuffer 24
+    mostly "$format is read out" rays.pam a.pam
+done
+
+# The paper's figures: 1/255 a slice stops at 128, and two bricks show 161.
+level() { # level NAME VALUE IN OPTION...: of the pixel in the middle
+    test_name=$1 value=$2 in=$3
+    shift 3
+    rm -f a.raw
+    "$QVOL" render "$in" -o a.raw --size 1x1 --zoom 64 --sampling nearest --compositing slices --tf ./one.tf "$@"
+    check "$test_name" test "$(od -A n -t u1 a.raw | tr -s ' ')" = " $value $value $value"
+}
+level "100 slices of 1/255" 100 fog_4x100x4_uint8.raw --dither none
+level "200 slices of 1/255" 128 fog_4x200x4_uint8.raw --dither none
+level "200 slices of 1/255 in 2 bricks" 161 fog_4x200x4_uint8.raw --dither none --bricks 1x2x1
+level "200 slices of 1/255 in 2 chunks" 161 fog_4x200x4_uint8.raw --dither none --chunk 100 --phase 0.5
+level "100 slices of 1/255, 24 bits" 83 fog_4x100x4_uint8.raw --framebuffer 24
+level "200 slices of 1/255, 24 bits" 139 fog_4x200x4_uint8.raw --framebuffer 24
+level "200 slices of 1/255 in 2 bricks, 24 bits" 139 fog_4x200x4_uint8.raw --framebuffer 24 --bricks 1x2x1
+level "slices of .4/255 vanish" 0 fog_4x200x4_uint8.raw --tf ./thin.tf --dither none
+"$QVOL" render fog_4x200x4_uint8.raw -o rays.pam --size 20x20 --zoom 30 --sampling nearest --tf ./thin.tf
+"$QVOL" render fog_4x200x4_uint8.raw -o a.pam --size 20x20 --zoom 30 --sampling nearest --tf ./thin.tf \
+    --compositing slices
+alike "slices of .4/255 do not vanish with dither" rays.pam a.pam 6
+
+# A number of slices: as dense whatever it is, in sampling of either kind.
+for mode in nearest weighted extinction; do
+    IN=slab_16x16x16_uint8.raw
+    for bits in 16 24; do
+        draw rays.pam --sampling $mode --tf ./thin.tf --step 1 --phase 0.5 --termination 0
+        for count in 5 16 40 201; do
+            slices a.pam --sampling $mode --tf ./thin.tf --slices $count --framebuffer $bits --azimuth 0 --elevation 0
+            draw rays.pam --sampling $mode --tf ./thin.tf --step 1 --phase 0.5 --azimuth 0 --elevation 0
+            alike "$count slices, $mode, $bits bits" rays.pam a.pam
+        done
+    done
+    IN=in_24x20x16_uint8.raw
+done
+slices a.pam --slices 77 --framebuffer 24 --json=a.json
+check "77 slices are 77 steps of the box's depth" "$PYTHON" -c '
+import json
+report = json.load(open("a.json"))
+forward = report["camera"]["view"]["forward_q30"]
+depth = sum(abs(f) * n for f, n in zip(forward, report["volume"]["size"])) / 2**30
+assert abs(report["camera"]["step_q16"] / 65536 - depth / 77) < 1e-4
+slices = report["slices"]
+assert slices["first"] in (-39, -38, -40) and slices["end"] in (39, 40, 41)'
+draw rays.pam --unit-distance 3 --termination 0
+slices a.pam --slices 150 --unit-distance 3 --framebuffer 24
+alike "--slices with --unit-distance" rays.pam a.pam 2
+
+# Bricks and chunks share one grid of slices.
+draw rays.pam --sampling nearest --termination 0
+for bricks in 1x1x1 2x1x1 1x3x1 1x1x4 3x2x2; do
+    slices a.pam --sampling nearest --framebuffer 16 --bricks $bricks
+    alike "$bricks bricks, 16 bits" rays.pam a.pam
+done
+slices a.pam --sampling nearest --framebuffer 24 --bricks 2x2x2 --chunk 5
+alike "chunks of bricks" rays.pam a.pam
+for view in "--azimuth 200" "--azimuth 300 --elevation -40" "--elevation 90" "--perspective 40" \
+    "--perspective 120 --zoom 3"; do
+    # shellcheck disable=SC2086
+    draw rays.pam --sampling nearest --tf bone $view --termination 0
+    # shellcheck disable=SC2086
+    slices a.pam --sampling nearest --tf bone $view --framebuffer 24 --bricks 3x4x2
+    mostly "bricks from the back: $view" rays.pam a.pam
+done
+draw rays.pam --termination 0
+slices a.pam --framebuffer 24 --bricks 2x2x2
+alike "interpolation is clamped at the faces of bricks" rays.pam a.pam 3
+for size in 1 7 1000; do
+    for bits in 12 16 24; do
+        slices a.pam --framebuffer $bits --chunk $size
+        alike "chunks of $size, $bits bits" rays.pam a.pam
+    done
+done
+
+# What changes bytes, and what does not.
+for options in "" "--dither none" "--framebuffer 565" "--framebuffer 12 --chunk 6" "--dither random --bricks 2x2x1" \
+    "--order front-to-back" "--dither bump --slope .85,.9" "--dither feedback --format mono-vertical"; do
+    # shellcheck disable=SC2086
+    slices base.raw $options --threads 1 --as raw
+    for apart in "--threads 3" "--threads 2 --strip 8" "--threads 2 --strip 40"; do
+        # shellcheck disable=SC2086
+        slices a.raw $options $apart --as raw
+        check "the same bytes: $options $apart" cmp base.raw a.raw
+    done
+done
+with() { # with BASE OPTION...
+    options=$1
+    shift
+    # shellcheck disable=SC2086
+    slices base.pam $options
+    # shellcheck disable=SC2086
+    slices a.pam $options "$@"
+    differs "changes the picture: $options and $*" base.pam a.pam
+}
+for kind in none random ordered bump feedback; do
+    with "--tf bone" --dither $kind
+done
+for bits in 12 16 24 565; do
+    with "" --framebuffer $bits
+done
+for sequence in golden hash; do
+    with "" --sequence $sequence
+    with "--dither feedback" --sequence $sequence
+done
+with "--dither random" --sequence blocks
+with "--dither bump" --sequence golden
+with "--dither feedback" --residual 4
+with "--dither bump" --slope 1
+for kind in random ordered "bump --slope 1"; do
+    with "--dither $kind" --period 8
+    with "--dither $kind" --slope .8
+    with "--dither $kind --tf grey" --cutoff 2
+    with "--dither $kind" --frame 1
+    with "--dither $kind" --still
+done
+with "--dither bump --slope .9,1.1 --tf bone --step .5" --slope .9
+with "" --frame 7
+with "" --still
+with "" --chunk 4
+with "" --bricks 1x2x1
+with "" --order front-to-back
+slices a.pam --dither ordered --period 32 --slope 1 --cutoff 255 --frame 0
+slices b.pam --dither ordered
+check "the defaults of alpha dithering" cmp a.pam b.pam
+slices a.pam --framebuffer 8 --dither rounding --sequence blocks --order back-to-front
+slices b.pam
+check "the defaults of slices" cmp a.pam b.pam
+draw a.pam --compositing rays
+draw b.pam
+check "rays are the default" cmp a.pam b.pam
+
+# The report.
+slices a.pam --framebuffer 12 --chunk 6 --json=a.json
+slices b.pam --dither feedback --json=b.json
+slices b.pam --dither random --bricks 2x1x1 --period 16 --slope .5 --json=c.json
+draw b.pam --json=d.json
+check "the report tells the frame buffer and the dither" "$PYTHON" -c '
+import json
+a, b, c, d = (json.load(open(name + ".json"))["slices"] for name in "abcd")
+assert a["framebuffer"] == {"bits": "12", "pixel_bytes": 6, "bytes": 21000, "bytes_beside": 0}
+assert a["chunk"] == 6 and a["bricks"] is None and a["dither"]["sequence"] == "blocks"
+assert b["framebuffer"]["bytes"] == b["framebuffer"]["bytes_beside"] == 10500
+assert c["bricks"] == [2, 1, 1] and c["framebuffer"]["pixel_bytes"] == 4
+assert c["dither"]["period"] == 16 and c["dither"]["slope_q16"][0] == 32768
+assert d is None'
+
+# What is refused.
+refused() { # refused PATTERN OPTION...
+    pattern=$1
+    shift
+    # shellcheck disable=SC2086
+    refuses "refused: $*" 2 "$pattern" "$QVOL" render $IN -o a.pam --compositing slices "$@"
+}
+for options in "--framebuffer 8" "--dither none" "--residual 4" "--sequence hash" "--period 8" "--slope 1" \
+    "--cutoff 9" "--frame 0" "--still" "--chunk 4" "--slices 9" "--bricks 1x1x1"; do
+    # shellcheck disable=SC2086
+    refuses "$options without slices" 2 ": ${options%% *}: needs --compositing slices" "$QVOL" render $IN -o a.pam $options
+done
+refuses "--compositing planes" 2 "rays, slices" "$QVOL" render $IN -o a.pam --compositing planes
+refused "8, 12, 16, 24, 565" --framebuffer 10
+refused "none, random, ordered, bump, rounding, feedback" --dither noise
+refused "4, 8" --dither feedback --residual 6
+refused "golden, hash, blocks" --sequence silver
+for period in 1 65 -3 many; do
+    refused "not a whole number from 2 to 64" --dither ordered --period $period
+done
+for slope in 0 17 -1 1,0 1,2,3 steep ""; do
+    refused "neither A nor A,B" --dither bump --slope "$slope"
+done
+for cutoff in 0 256 1.5; do
+    refused "not a whole number from 1 to 255" --dither ordered --cutoff $cutoff
+done
+refused "not a whole number from 0 to 4294967295" --frame -1
+refused "not a whole number from 1 to 65535" --chunk 0
+refused "not a whole number from 1 to 65535" --slices 0
+refused "not a whole number from 1 to 65535" --slices 65536
+refused "XxYxZ, each 1 to 64" --bricks 2x2
+refused "XxYxZ, each 1 to 64" --bricks 0x2x2
+refused "XxYxZ, each 1 to 64" --bricks 65x2x2
+refused ": --bricks: 21 on an axis of 20 voxels" --bricks 1x21x1
+refused ": --slices: .* apart, which is not 0.0625 to 16" --slices 1
+refused ": --slices: .* apart, which is not 0.0625 to 16" --slices 5000
+for bits in 12 16 24; do
+    for kind in random ordered bump; do
+        refused ": --dither: needs --framebuffer 8 or 565" --framebuffer $bits --dither $kind
+    done
+    refused ": --dither: needs --framebuffer 8 " --framebuffer $bits --dither feedback
+done
+refused ": --dither: needs --framebuffer 8 " --framebuffer 565 --dither feedback
+for options in "--chunk 4" "--bricks 2x1x1" "--background transparent"; do
+    # shellcheck disable=SC2086
+    refused "needs another --framebuffer: 565 keeps no opacity" --framebuffer 565 $options
+done
+for bits in 12 565; do
+    refused ": --order: needs back-to-front, or --framebuffer" --framebuffer $bits --order front-to-back
+done
+for kind in random feedback; do
+    refused ": --order: needs back-to-front, or --dither" --dither $kind --order front-to-back
+done
+refused ": --chunk: needs --order back-to-front" --chunk 4 --order front-to-back
+refused ": --bricks: needs --order back-to-front" --bricks 2x1x1 --order front-to-back
+refused ": --residual: needs --dither feedback" --residual 4
+for options in "--dither none" "--dither ordered" "--dither bump --slope 1"; do
+    # shellcheck disable=SC2086
+    refused ": --sequence: needs --dither" $options --sequence hash
+done
+refused ": --period: needs --dither" --period 8
+refused ": --period: needs --dither" --period 8 --dither bump
+refused ": --slope: needs --dither random, ordered or bump" --slope 1
+refused ": --slope: needs --dither bump" --slope 1,2 --dither ordered
+refused ": --cutoff: needs --dither" --cutoff 8
+refused ": --frame: needs a --dither" --frame 1 --dither none
+refused ": --still: needs a --dither" --still --framebuffer 24
+refused ": --termination: needs --compositing rays" --termination 0
+refused ": --level: needs a volume without --bricks" --level 1 --bricks 1x1x1
+refused ": --step: needs no --slices" --step 1 --slices 30
+refused ": --phase: needs no --slices" --phase 0 --slices 30
+refused ": --slices: needs a view without --perspective" --slices 30 --perspective 30
+refuses "--slices of voxels whose opacities stay" 2 ": --slices: the opacities of" "$QVOL" render rgba_24x20x16.raw \
+    --type rgba8 --dims 24x20x16 -o a.pam --compositing slices --sampling nearest --slices 30
+check "no file is left" sh -c '! ls | grep -e "\.tmp$"'
+finish
