@@ -33,6 +33,20 @@ enum { QV_OVER = 1, QV_UNDER = 2, QV_HARDWARE = 3, QV_HAND_OUT = 4 };
 qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blend *blend,
                        int32_t slice);
 
+/* What equation 9 goes by. Nothing is written on error: QV_ERROR_DITHER. */
+qv_status qv_alpha_of(fx_alpha *alpha, const qv_dither *dither);
+
+/* What a pixel's dither values are more than those of a slice. */
+uint32_t qv_dither_shift(const qv_dither *dither, int32_t x, int32_t y);
+
+/* The phase of a pixel whose dither values are shifted: over all shifts each as often as any
+   other, but for 2^-16. */
+static inline uint32_t qv_phase_shifted(const fx_period *period, uint32_t phase, uint32_t shift)
+{
+    uint32_t shifted = phase + (((shift >> 16) * period->slices) >> 16); /* < 2 slices */
+    return shifted < period->slices ? shifted : shifted - period->slices;
+}
+
 /* Shifts the moment of a slice to the pixel (x, y) of the dither's frame. */
 void qv_moment_shift(qv_moment *pixel, const qv_moment *slice, const qv_dither *dither, int32_t x,
                      int32_t y);

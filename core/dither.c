@@ -97,39 +97,49 @@ static uint32_t slope_of(uint32_t slope)
     return slope == 0 ? QV_ONE_Q16 : slope;
 }
 
+qv_status qv_alpha_of(fx_alpha *alpha, const qv_dither *dither)
+{
+    if (!in_range(dither))
+        return QV_ERROR_DITHER;
+    alpha->period = fx_period_of(dither->period);
+    alpha->slope[0] = slope_of(dither->slope[0]);
+    alpha->slope[1] = slope_of(dither->slope[1]);
+    alpha->cutoff = dither->cutoff == 0 ? 255u : dither->cutoff;
+    return QV_OK;
+}
+
 qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blend *blend,
                        int32_t slice)
 {
     int by_technique = blend->look != 0;
     if (!dither)
         return QV_ERROR_NULL;
-    if (!dither->sequence || (by_technique && (!dither->technique || !in_range(dither))))
+    if (!dither->sequence || (by_technique && !dither->technique))
         return QV_ERROR_DITHER;
     if (slice <= -QV_GRID_LIMIT || slice >= QV_GRID_LIMIT)
         return QV_ERROR_SLICE;
+    if (by_technique && qv_alpha_of(&moment->alpha, dither) != QV_OK)
+        return QV_ERROR_DITHER;
     uint32_t number = (uint32_t)(slice + QV_GRID_LIMIT);
     moment->u = dither->sequence(number);
-    moment->technique = 0;
-    if (!by_technique)
-        return QV_OK;
-    moment->technique = dither->technique;
-    moment->alpha.period = fx_period_of(dither->period);
-    moment->alpha.slope[0] = slope_of(dither->slope[0]);
-    moment->alpha.slope[1] = slope_of(dither->slope[1]);
-    moment->alpha.cutoff = dither->cutoff == 0 ? 255u : dither->cutoff;
-    moment->phase = fx_phase(&moment->alpha.period, number);
+    moment->technique = by_technique ? dither->technique : 0;
+    if (by_technique)
+        moment->phase = fx_phase(&moment->alpha.period, number);
     return QV_OK;
+}
+
+uint32_t qv_dither_shift(const qv_dither *dither, int32_t x, int32_t y)
+{
+    if (dither->still)
+        return fx_dither_at(0, 0, 0, dither->frame);
+    return fx_dither_at(0, (uint32_t)x, (uint32_t)y, dither->frame);
 }
 
 void qv_moment_shift(qv_moment *pixel, const qv_moment *slice, const qv_dither *dither, int32_t x,
                      int32_t y)
 {
-    uint32_t shift = dither->still ? fx_dither_at(0, 0, 0, dither->frame)
-                                   : fx_dither_at(0, (uint32_t)x, (uint32_t)y, dither->frame);
+    uint32_t shift = qv_dither_shift(dither, x, y);
     pixel->u = slice->u + shift;
-    if (!slice->technique)
-        return;
-    uint32_t slices = slice->alpha.period.slices;
-    uint32_t phase = slice->phase + (((shift >> 16) * slices) >> 16); /* < 2 slices */
-    pixel->phase = phase < slices ? phase : phase - slices;
+    if (slice->technique)
+        pixel->phase = qv_phase_shifted(&slice->alpha.period, slice->phase, shift);
 }

@@ -1,21 +1,13 @@
 /*
  * Source: Williams et al., alpha dithering for 8-bit compositing: sections 5 and 6, table 3.
  */
-#include "dither_table.h"
-
-#include "fx_alpha.h"
+#include "blend.h"
 #include "fx_unorm.h"
-#include "fx_wide.h"
-
-#define PERIOD_LEAST 2u
-#define PERIOD_MOST  64u
-#define SLOPE_MOST   ((uint32_t)1 << 20)
-#define SLOPE_ONE    65536u
-#define NO_CUTOFF    255u
+#include "ray.h"
 
 static int is_period(uint8_t period)
 {
-    return period >= PERIOD_LEAST && period <= PERIOD_MOST;
+    return period >= 2 && period <= 64;
 }
 
 uint32_t qv_dither_table_bytes(uint8_t period, uint8_t entry_bytes)
@@ -30,8 +22,8 @@ uint8_t qv_dither_table_place(uint8_t period, int32_t slice, uint32_t frame, int
     if (!is_period(period))
         return 0;
     fx_period of = fx_period_of(period);
-    uint32_t phase = fx_phase(&of, (uint32_t)slice + (uint32_t)QV_FIRST_SLICE);
-    return (uint8_t)qv_table_place(&of, phase, fx_dither_at(0, (uint32_t)x, (uint32_t)y, frame));
+    uint32_t phase = fx_phase(&of, (uint32_t)slice + QV_GRID_LIMIT);
+    return (uint8_t)qv_phase_shifted(&of, phase, fx_dither_at(0, (uint32_t)x, (uint32_t)y, frame));
 }
 
 /* Levels with 16 fraction bits of 16 bits, to nearest: 65535 is 255 * 65536. */
@@ -77,15 +69,11 @@ qv_status qv_dither_table_build(void *to, size_t bytes, uint8_t entry_bytes,
         return QV_ERROR_NULL;
     if ((entry_bytes != 1 && entry_bytes != 4) || first >= end || end > QV_PALETTE_ENTRIES)
         return QV_ERROR_SIZE;
-    if (!is_period(dither->period) || dither->slope[0] > SLOPE_MOST)
+    fx_alpha alpha;
+    if (qv_alpha_of(&alpha, dither) != QV_OK)
         return QV_ERROR_DITHER;
     if (bytes < qv_dither_table_bytes(dither->period, entry_bytes))
         return QV_ERROR_BUFFER;
-
-    uint32_t slope = dither->slope[0] == 0 ? SLOPE_ONE : dither->slope[0];
-    const fx_alpha alpha = {fx_period_of(dither->period),
-                            {slope, slope},
-                            dither->cutoff == 0 ? NO_CUTOFF : dither->cutoff};
     for (uint16_t value = first; value < end; value++)
         write_value(to, entry_bytes, transfer->rgba[value], &alpha, value);
     return QV_OK;

@@ -2,6 +2,9 @@
 
 #define QUOTIENT_BITS 23u
 
+/* Voxels from a sample to the next where no other is to lie in the box. */
+#define BEYOND ((qv_coord)1 << 45)
+
 /* A range of sample numbers, both ends included. */
 typedef struct {
     int32_t first, last;
@@ -67,6 +70,23 @@ void qv_ray_clip(qv_ray *ray, const qv_context *context)
     if (ray->samples != 0)
         for (unsigned axis = 0; axis < 3; axis++)
             ray->place[axis] += fx_multiply(ray->advance[axis], k.first) + QV_CENTRED;
+}
+
+int qv_ray_place(qv_ray *ray, const qv_context *context, int32_t sample)
+{
+    if (sample < ray->first)
+        return 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        /* below 2^62 + 2^22 * 2^40 */
+        qv_coord point = ray->place[axis] + fx_multiply(ray->advance[axis], sample);
+        if (point < 0 || point >= (qv_coord)context->scene.volume.size[axis] << 32)
+            return 0;
+        ray->place[axis] = point;
+        ray->advance[axis] = 0;
+    }
+    ray->advance[0] = BEYOND;
+    ray->first = 0;
+    return 1;
 }
 
 qv_coord qv_phase_of(qv_coord v, uint16_t phase)

@@ -39,6 +39,12 @@ typedef struct qv_ray {
  */
 void qv_ray_clip(qv_ray *ray, const qv_context *context);
 
+/*
+ * Puts a ray, as its projection made it, on one sample, and no other in reach of the box: clipped,
+ * it stands there. Returns 0 where that sample lies outside the box.
+ */
+int qv_ray_place(qv_ray *ray, const qv_context *context, int32_t sample);
+
 /* The rays of qv_projection_orthographic and qv_projection_perspective. Return whether
    there is one: 0 where the direction is too short. */
 int qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);

@@ -185,17 +185,11 @@ FX_INLINE int qv_sample_separate(qv_sample *sample, const qv_ray *ray, const qv_
     return 1;
 }
 
-/* Nearest: the corner of the half of the cell that the sample lies in. */
+/* Nearest: all of it is one voxel's. */
 FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                                 unsigned storage)
 {
-    qv_cell cell;
-    qv_cell_locate(&cell, volume, ray);
-    qv_address voxel = cell.base;
-    for (unsigned axis = 0; axis < 3; axis++)
-        if (fx_fraction_bits(cell.fraction[axis]) >= 128)
-            voxel = qv_at(voxel, cell.next[axis]);
-    qv_address entry = qv_entry(voxel, volume, storage);
+    qv_address entry = qv_entry(qv_nearest_voxel(ray, volume), volume, storage);
     fx_channel opacity = qv_channel(entry, 3, storage);
     if (fx_channel_bits(opacity) == 0)
         return 0;

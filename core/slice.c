@@ -2,28 +2,7 @@
 #include "composite.h"
 #include "stretch.h"
 
-/* Voxels from a sample to the next where no other sample is to lie in the box. */
-#define BEYOND ((qv_coord)1 << 45)
-
 /* ---- The ray of one slice --------------------------------------------------- */
-
-/* One sample: the ray stands still there, as far as the box goes. 0 where it lies outside. */
-static int place_sample(qv_ray *ray, const qv_context *context, int32_t slice)
-{
-    if (slice < ray->first)
-        return 0;
-    for (unsigned axis = 0; axis < 3; axis++) {
-        /* below 2^62 + 2^22 * 2^40 */
-        qv_coord point = ray->place[axis] + fx_multiply(ray->advance[axis], slice);
-        if (point < 0 || point >= (qv_coord)context->scene.volume.size[axis] << 32)
-            return 0;
-        ray->place[axis] = point;
-        ray->advance[axis] = 0;
-    }
-    ray->advance[0] = BEYOND;
-    ray->first = 0;
-    return 1;
-}
 
 /* One stretch, from border to border, or from the eye. */
 static int place_stretch(qv_ray *ray, const qv_context *context, int32_t slice)
@@ -47,7 +26,7 @@ static int see(qv_fragment *fragment, const qv_context *context, int32_t x, int3
     if (!context->scene.camera.projection->ray(&ray, context, x, y))
         return 0;
     int placed = sampling->by_length ? place_stretch(&ray, context, slice)
-                                     : place_sample(&ray, context, slice);
+                                     : qv_ray_place(&ray, context, slice);
     if (!placed)
         return 0;
     sampling->march(&light, &ray, context);

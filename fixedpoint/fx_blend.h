@@ -123,27 +123,6 @@ FX_INLINE uint32_t fx_blend_associated(uint32_t state, uint32_t colour, uint32_t
     return colour + fx_divide_by_ones(rest * state, bits);
 }
 
-/*
- * A brick whose slices all have one colour and opacity of 8 bits, blended over a level that has
- * come of what lies behind, slice by slice as if there were no brick: fx_blend_plain as often
- * as it takes to raise the brick's own opacity from 0 to `covered`, what the brick's pixel
- * holds. Each time raises it by at least 1 or stops at its plateau: at most 255 times.
- *
- * Exact, as the opacity tells the number of slices below its plateau. At the plateau it
- * does not, but it is exact there if the level has come of such slices too: c - v falls alike
- * for all colours c, and the opacity's 255 - v is the last to come to rest.
- */
-static inline uint32_t fx_replay(uint32_t level, uint32_t covered, uint32_t colour,
-                                 uint32_t opacity)
-{
-    uint32_t reached = 0;
-    for (uint32_t n = 0; n < 255u && reached < covered; n++) {
-        reached = fx_blend_plain(reached, 255u, opacity, 8);
-        level = fx_blend_plain(level, colour, opacity, 8);
-    }
-    return level;
-}
-
 /* ---- Dithered blends, back to front ---------------------------------------- */
 
 /*
@@ -164,7 +143,8 @@ FX_INLINE uint32_t fx_blend_dithered(uint32_t state, uint32_t light, uint32_t op
     uint32_t rest = FX_ONE_Q23 - opacity;
     uint32_t part = state & (((uint32_t)1 << fraction) - 1u);
     uint32_t kept = rest * (state >> fraction) + ((rest * part) >> fraction); /* part < 2^8 */
-    return (light + kept + (u >> (9u + fraction))) >> (23u - fraction);
+    uint32_t sum = light + kept + (u >> (9u + fraction));
+    return 2u * sum >> (24u - fraction); /* whole bytes: machines of 8 bits need not shift */
 }
 
 /*

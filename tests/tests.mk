@@ -45,9 +45,12 @@ golden-update: $(GOLDEN_TEST) ## write tests/golden/golden.h anew, after a chang
 	$(GOLDEN_TEST) --update > $(TEST_OUT)/golden.h
 	cp $(TEST_OUT)/golden.h tests/golden/golden.h
 
-.PHONY: bench-functions
+.PHONY: bench-functions bench-blends
 bench-functions: ## bytes, errors and instructions of the functions of optical depth
 	tests/bench/functions.sh
+
+bench-blends: ## instructions, RAM and flash of each way to blend slices
+	tests/bench/blends.sh
 
 TABLE_GENERATOR := $(TEST_OUT)/tables/tables
 
@@ -77,7 +80,7 @@ PAPER_PROGRAMS := $(addprefix $(TEST_OUT)/papers/,wittenbrink kraus dithering)
 paper_objects = $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/papers/*.c tests/papers/$(1)/*.c))
 
 .PHONY: paper-programs
-paper-programs: $(PAPER_PROGRAMS)
+paper-programs: $(PAPER_PROGRAMS) $(QVOL)
 
 $(TEST_OUT)/papers/wittenbrink: $(call paper_objects,wittenbrink)
 $(TEST_OUT)/papers/kraus: $(call paper_objects,kraus)

@@ -1,7 +1,7 @@
 /*
  * firmware_planet.c - a planet in fog: 34 KB of volume stay in program memory, the frame buffer
- * of 8 bits a channel takes three quarters of the RAM. A slice of the fog has at most 1/255 of
- * opacity, mostly less; dither keeps it.
+ * of 8 bits a channel takes three quarters of the RAM. Half of the fog has less than 1/255 of
+ * opacity for a slice, which a blend of 8 bits keeps by its dither alone.
  *
  * Two regions are measured: some rows ray by ray, then the whole frame slice by slice. Prints
  * what each leaves in the frame buffer, by checksum.
@@ -38,7 +38,7 @@ static void describe(qv_volume *volume)
 static qv_status make_context(void)
 {
     qv_scene scene = {.sampling = &qv_weighted_indexed8_16};
-    qv_view view = {.pitch = QV_ONE_Q16 * 9 / 16, /* 36 voxels across the frame */
+    qv_view view = {.pitch = QV_ONE_Q16 / 2,
                     .step = QV_ONE_Q16,
                     .width = PLANET_WIDTH,
                     .height = PLANET_HEIGHT};

@@ -39,6 +39,23 @@ static void report_dither(struct json *json, const struct slicing *slicing)
     json_close(json);
 }
 
+/* Errors in 1/100 of an 8-bit level. */
+static void report_advice(struct json *json, const struct advice *advice)
+{
+    const qv_recommendation *recommendation = &advice->recommendation;
+    if (!advice->given) {
+        json_null(json, "recommended");
+        return;
+    }
+    json_object(json, "recommended");
+    json_unsigned(json, "slices", advice->slices);
+    json_unsigned(json, "least_opacity_q32", advice->opacity);
+    json_text(json, "dither", choice_name(dither_names, advice_dither(advice)));
+    json_unsigned(json, "worst_of_fog_x100", recommendation->worst_fog);
+    json_unsigned(json, "worst_x100", recommendation->worst);
+    json_close(json);
+}
+
 void report_slices(struct json *json, const struct slicing *slicing, const struct frame *frame,
                    const struct settings *settings)
 {
@@ -54,5 +71,6 @@ void report_slices(struct json *json, const struct slicing *slicing, const struc
     }
     report_framebuffer(json, slicing, frame, settings);
     report_dither(json, slicing);
+    report_advice(json, &slicing->advice);
     json_close(json);
 }

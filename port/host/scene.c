@@ -29,9 +29,8 @@ static uint32_t pitch(const qv_volume *volume, const struct settings *settings)
     return (uint32_t)lround(fmin(units * QV_ONE_Q16, INT32_MAX));
 }
 
-/* From the plane that first touches the box to the one that leaves it, in world units. */
-static double world_depth(const uint16_t size[3], const uint32_t spacing[3],
-                          const struct settings *settings)
+double scene_depth(const uint16_t size[3], const uint32_t spacing[3],
+                   const struct settings *settings)
 {
     int32_t rotation[3][3];
     double depth = 0;
@@ -49,7 +48,7 @@ uint32_t scene_step(const uint16_t size[3], const uint32_t spacing[3],
     uint32_t slices = settings->slices.count;
     double step = settings->step;
     if (slices != 0) {
-        step = world_depth(size, spacing, settings) / slices;
+        step = scene_depth(size, spacing, settings) / slices;
         if (step < STEP_LEAST || step > STEP_MOST) {
             usage_error("--slices", "%u of them are %g apart, which is not %g to %d", slices, step,
                         STEP_LEAST, STEP_MOST);

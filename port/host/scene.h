@@ -12,6 +12,11 @@ struct view {
     qv_angle field_of_view; /* 0: orthographic */
 };
 
+/* From the plane across the view that first touches a box of this size and spacing to the one that
+   leaves it, in world units. */
+double scene_depth(const uint16_t size[3], const uint32_t spacing[3],
+                   const struct settings *settings);
+
 /* Between samples, Q16.16 world units: that of --step, or what --slices makes of a box of this
    size and spacing. */
 uint32_t scene_step(const uint16_t size[3], const uint32_t spacing[3],

@@ -29,7 +29,7 @@ enum sampling_mode {
 enum filter_kind { FILTER_BY_SAMPLING, FILTER_BOX2, FILTER_BOX4, FILTER_QUAD4 };
 enum domain_kind { DOMAIN_BY_DEFAULT, DOMAIN_EXTINCTION, DOMAIN_OPACITY };
 enum order { ORDER_BY_COMPOSITING, ORDER_FRONT_TO_BACK, ORDER_BACK_TO_FRONT };
-/* By frame buffer: rounding, but for 24 bits. */
+/* By frame buffer: rounding, but for 24 bits. Auto: what the library recommends. */
 enum dither_kind {
     DITHER_BY_FRAMEBUFFER,
     DITHER_NONE,
@@ -37,7 +37,8 @@ enum dither_kind {
     DITHER_ORDERED,
     DITHER_BUMP,
     DITHER_ROUNDING,
-    DITHER_FEEDBACK
+    DITHER_FEEDBACK,
+    DITHER_AUTO
 };
 enum sequence_kind {
     SEQUENCE_BY_DITHER,

@@ -22,13 +22,10 @@ const choice framebuffer_names[] = {
 };
 
 const choice dither_names[] = {
-    {"none", DITHER_NONE},
-    {"random", DITHER_RANDOM},
-    {"ordered", DITHER_ORDERED},
-    {"bump", DITHER_BUMP},
-    {"rounding", DITHER_ROUNDING},
-    {"feedback", DITHER_FEEDBACK},
-    {NULL, 0},
+    {"none", DITHER_NONE},         {"random", DITHER_RANDOM},
+    {"ordered", DITHER_ORDERED},   {"bump", DITHER_BUMP},
+    {"rounding", DITHER_ROUNDING}, {"feedback", DITHER_FEEDBACK},
+    {"auto", DITHER_AUTO},         {NULL, 0},
 };
 
 /* Rounded to nearest, as without dither, is not one to be asked for. */
@@ -143,6 +140,12 @@ int settings_dither(const struct settings *settings)
     return settings_framebuffer(settings) == 24 ? DITHER_NONE : DITHER_ROUNDING;
 }
 
+unsigned settings_residual(const struct settings *settings)
+{
+    bool feedback = settings->slices.dither == DITHER_FEEDBACK;
+    return settings->slices.residual == 0 && feedback ? 8 : settings->slices.residual;
+}
+
 static void check_compositing(const struct settings *settings)
 {
     const struct slice_settings *s = &settings->slices;
@@ -179,7 +182,9 @@ static void check_dither(const struct settings *settings)
         {"--dither", of_opacity, framebuffer == 8 || framebuffer == FRAMEBUFFER_565,
          "--framebuffer 8 or 565: it makes opacities of 8 bits"},
         {"--dither", dither == DITHER_FEEDBACK, framebuffer == 8, "--framebuffer 8"},
-        {"--residual", s->residual != 0, dither == DITHER_FEEDBACK, "--dither feedback"},
+        {"--residual", s->residual != 0, dither == DITHER_FEEDBACK || dither == DITHER_AUTO,
+         "--dither feedback or auto"},
+        {"--residual", s->residual != 0, framebuffer == 8, "--framebuffer 8"},
         {"--sequence", s->sequence != SEQUENCE_BY_DITHER,
          dither == DITHER_RANDOM || dither == DITHER_ROUNDING || dither == DITHER_FEEDBACK ||
              (dither == DITHER_BUMP && !bumped),

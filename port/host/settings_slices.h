@@ -22,6 +22,7 @@ extern const choice sequence_names[];
 /* The values that stand for options that were not given. */
 int settings_framebuffer(const struct settings *settings);
 int settings_dither(const struct settings *settings);
+unsigned settings_residual(const struct settings *settings);
 
 /* Refuses options that would change nothing, or make no sense together. */
 void settings_check_slices(const struct settings *settings);

@@ -64,8 +64,8 @@ static const struct way *way_of(int framebuffer, enum method method)
 static const qv_blend *blend_of(const struct slicing *slicing, const qv_scene *scene,
                                 const struct settings *settings)
 {
-    const struct way *way =
-        way_of(settings_framebuffer(settings), method_of(slicing->kind, settings->slices.residual));
+    const struct way *way = way_of(settings_framebuffer(settings),
+                                   method_of(slicing->kind, settings_residual(settings)));
     bool opaque = scene->background[3] == 255;
     if (slicing->front_to_back) {
         return way->front_to_back;
@@ -105,24 +105,43 @@ static int sequence_of(int kind, const struct slice_settings *s)
     }
 }
 
-static qv_sequence *library_sequence(int sequence)
+/* By enum sequence_kind. */
+static qv_sequence *const sequences[] = {
+    [SEQUENCE_ROUNDED] = qv_sequence_rounded,
+    [SEQUENCE_GOLDEN] = qv_sequence_golden,
+    [SEQUENCE_HASH] = qv_sequence_hash,
+    [SEQUENCE_BLOCKS] = qv_sequence_blocks,
+};
+
+static int sequence_kind(qv_sequence *sequence)
 {
-    switch (sequence) {
-    case SEQUENCE_GOLDEN:
-        return qv_sequence_golden;
-    case SEQUENCE_HASH:
-        return qv_sequence_hash;
-    case SEQUENCE_BLOCKS:
-        return qv_sequence_blocks;
-    default:
-        return qv_sequence_rounded;
+    int kind = SEQUENCE_BLOCKS;
+    while (sequences[kind] != sequence && kind > SEQUENCE_ROUNDED) {
+        kind--;
     }
+    return kind;
+}
+
+/* The dither that the settings ask for, or leave to the library. */
+static void set_kind(struct slicing *slicing, const struct settings *settings)
+{
+    const struct advice *advice = &slicing->advice;
+    slicing->kind = settings_dither(settings);
+    if (slicing->kind != DITHER_AUTO) {
+        slicing->sequence = sequence_of(slicing->kind, &settings->slices);
+        return;
+    }
+    if (!advice->given) {
+        usage_error("--dither", "the library recommends nothing for %u slices", advice->slices);
+    }
+    slicing->kind = advice_dither(advice);
+    slicing->sequence = sequence_kind(advice->recommendation.sequence);
 }
 
 static void set_dither_values(struct slicing *slicing, const struct slice_settings *s)
 {
     qv_dither *dither = &slicing->dither;
-    dither->sequence = library_sequence(slicing->sequence);
+    dither->sequence = sequences[slicing->sequence];
     dither->technique = technique_of(slicing->kind, s->slopes != 0);
     for (unsigned i = 0; i < 2; i++) {
         double slope = s->slopes != 0 ? s->slope[i] : 1;
@@ -152,8 +171,8 @@ void slicing_create(struct slicing *slicing, const qv_scene *scene, const struct
 {
     const struct slice_settings *s = &settings->slices;
     memset(slicing, 0, sizeof *slicing);
-    slicing->kind = settings_dither(settings);
-    slicing->sequence = sequence_of(slicing->kind, s);
+    advice_ask(&slicing->advice, scene, settings);
+    set_kind(slicing, settings);
     slicing->front_to_back = !settings_back_to_front(settings);
     slicing->chunk = s->chunk;
     set_bricks_of(slicing, &scene->volume, s->bricks);

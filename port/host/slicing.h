@@ -4,18 +4,19 @@
 #ifndef QVOL_HOST_SLICING_H
 #define QVOL_HOST_SLICING_H
 
-#include "scene.h"
+#include "advice.h"
 
 struct slicing {
     const qv_blend *blend; /* of the picture, and of its chunks and bricks */
     qv_dither dither;
     qv_dither joining; /* of chunks and bricks, whose opacities are made already */
-    int kind;          /* enum dither_kind */
+    int kind;          /* enum dither_kind, never auto */
     int sequence;      /* enum sequence_kind; SEQUENCE_ROUNDED where none is read */
     bool front_to_back;
     uint32_t chunk; /* slices; 0: all */
     uint32_t bricks[3];
     bool in_bricks;
+    struct advice advice;
 };
 
 /* The scene is complete. */

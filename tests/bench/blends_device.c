@@ -6,7 +6,7 @@
  * the dither value of a pixel.
  *
  * Prints a line for each: name, bytes of a pixel and beside it, and a checksum of the results,
- * which is the same on every machine.
+ * which is the same on every machine; a bar between them.
  */
 #include "blend.h"
 #include "console.h"
@@ -46,11 +46,11 @@ static uint32_t checksum(const uint8_t *bytes, unsigned count)
 static void report(const char *name, unsigned bytes, unsigned beside_bytes, uint32_t sum)
 {
     console_text(name);
-    console_text(" ");
+    console_text("|");
     console_decimal(bytes);
-    console_text(" ");
+    console_text("|");
     console_decimal(beside_bytes);
-    console_text(" ");
+    console_text("|");
     console_decimal(sum);
     console_text("\n");
 }

@@ -117,10 +117,29 @@ OPTIONS = {
     "--order": ("back-to-front",),
 }
 
-def options(chance):
+SLICES = {
+    "--framebuffer": ("8", "12", "16", "24", "565"),
+    "--dither": ("none", "random", "ordered", "bump", "rounding", "feedback"),
+    "--period": ("2", "64"),
+    "--slope": ("0.0000152587890625", "16,16", "0.85,0.9"),
+    "--cutoff": ("1", "255"),
+    "--frame": ("0", "4294967295"),
+    "--chunk": ("1", "7", "65535"),
+    "--slices": ("1", "2", "11", "200", "65535"),
+    "--bricks": ("1x1x1", "12x10x8", "2x3x4", "13x1x1"),
+    "--order": ("front-to-back", "back-to-front"),
+}
+
+def drawn_from(chance, values):
     """A few options that are fine one by one."""
-    names = chance.sample(sorted(OPTIONS), chance.randrange(1, 5))
-    return [word for name in names for word in (name, chance.choice(OPTIONS[name]))]
+    names = chance.sample(sorted(values), chance.randrange(1, 5))
+    return [word for name in names for word in (name, chance.choice(values[name]))]
+
+def options(chance):
+    """Every other time slices."""
+    if chance.random() < .5:
+        return drawn_from(chance, OPTIONS)
+    return ["--compositing", "slices"] + drawn_from(chance, SLICES) + drawn_from(chance, OPTIONS)
 
 def is_wrong(what, command):
     """Whether it ends otherwise than it may; and whether it was accepted."""

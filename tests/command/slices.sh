@@ -12,6 +12,7 @@ for depth in 100, 200:
 write("slab_16x16x16_uint8.raw", packed([255] * 4096))
 write("one.tf", b"0 255 255 255 0.00392156863\n")
 write("thin.tf", b"0 255 255 255 0.0015686\n")
+write("empty.tf", b"0 255 255 255 0\n")
 write("rgba_24x20x16.raw", bytes(v // 3 for v in blob(size) for _ in range(4)))
 PY
 IN=in_24x20x16_uint8.raw
@@ -217,6 +218,33 @@ draw a.pam --compositing rays
 draw b.pam
 check "rays are the default" cmp a.pam b.pam
 
+# What the library recommends.
+for options in "" "--residual 4" "--residual 8" "--framebuffer 565" "--framebuffer 12" "--framebuffer 16" \
+    "--framebuffer 24"; do
+    # shellcheck disable=SC2086
+    slices a.pam $options --dither auto --json=a.json
+    kind=$("$PYTHON" -c '
+import json
+slices = json.load(open("a.json"))["slices"]
+assert slices["dither"]["kind"] == slices["recommended"]["dither"]
+print(slices["dither"]["kind"])')
+    # shellcheck disable=SC2086
+    slices b.pam $options --dither "${kind:-nothing}"
+    check "recommended is what is drawn: $options, $kind" cmp a.pam b.pam
+done
+slices a.pam --step 0.5 --unit-distance 1 --sampling extinction --json=a.json
+slices a.pam --storage indexed8 --palette-bits 16 --step 0.5 --unit-distance 1 --json=b.json
+slices a.pam --storage rgbt16 --step 0.5 --unit-distance 1 --json=c.json
+slices a.pam --tf ./empty.tf --json=d.json
+check "the least opacity of a slice" "$PYTHON" -c '
+import json
+a, b, c, d = (json.load(open(name + ".json"))["slices"]["recommended"] for name in "abcd")
+for advice in a, b, c:
+    assert abs(advice["least_opacity_q32"] / 2**32 / (5 / 65535 / 2) - 1) < .05, advice
+    assert advice["slices"] in range(50, 90)
+    assert advice["worst_of_fog_x100"] > 50 and advice["worst_x100"] > 50
+assert d["least_opacity_q32"] == 2**32 - 1'
+
 # The report.
 slices a.pam --framebuffer 12 --chunk 6 --json=a.json
 slices b.pam --dither feedback --json=b.json
@@ -246,7 +274,7 @@ for options in "--framebuffer 8" "--dither none" "--residual 4" "--sequence hash
 done
 refuses "--compositing planes" 2 "rays, slices" "$QVOL" render $IN -o a.pam --compositing planes
 refused "8, 12, 16, 24, 565" --framebuffer 10
-refused "none, random, ordered, bump, rounding, feedback" --dither noise
+refused "none, random, ordered, bump, rounding, feedback, auto" --dither noise
 refused "4, 8" --dither feedback --residual 6
 refused "golden, hash, blocks" --sequence silver
 for period in 1 65 -3 many; do
@@ -282,12 +310,13 @@ done
 for bits in 12 565; do
     refused ": --order: needs back-to-front, or --framebuffer" --framebuffer $bits --order front-to-back
 done
-for kind in random feedback; do
+for kind in random feedback auto; do
     refused ": --order: needs back-to-front, or --dither" --dither $kind --order front-to-back
 done
 refused ": --chunk: needs --order back-to-front" --chunk 4 --order front-to-back
 refused ": --bricks: needs --order back-to-front" --bricks 2x1x1 --order front-to-back
-refused ": --residual: needs --dither feedback" --residual 4
+refused ": --residual: needs --dither feedback or auto" --residual 4
+refused ": --residual: needs --framebuffer 8" --residual 4 --dither auto --framebuffer 16
 for options in "--dither none" "--dither ordered" "--dither bump --slope 1"; do
     # shellcheck disable=SC2086
     refused ": --sequence: needs --dither" $options --sequence hash

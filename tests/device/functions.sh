@@ -5,18 +5,8 @@ set -eu
 . tests/tap
 : "${BUILD:=build}" "${CC:=cc}"
 
-# What the firmware needs of a board, for this machine.
-cat >"$work/host.c" <<'END'
-#include <stdio.h>
-#include "measure.h"
-#include "console.h"
-void measure_begin(void) {}
-void measure_end(void) {}
-void console_text(const char *text) { fputs(text, stdout); }
-void console_decimal(uint32_t value) { printf("%lu", (unsigned long)value); }
-END
-$CC -std=c99 -O2 -Ifixedpoint -Iport "$work/host.c" tests/bench/functions_device.c \
-    fixedpoint/*.c -o "$work/host"
+$CC -std=c99 -O2 -Ifixedpoint -Iport tests/bench/board_host.c \
+    tests/bench/functions_device.c fixedpoint/*.c -o "$work/host"
 "$work/host" >"$work/expected"
 
 runs() { # runs TARGET BOARD OPTIMISE: the results of this machine

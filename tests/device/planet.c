@@ -31,12 +31,12 @@ enum {
     GAP_INNER = 203,
     GAP_OUTER = 214,
     RING_OUTER = 246,
-    RING_HALF = 9,   /* of its thickness */
-    AMBIENT = 150,   /* of ONE */
-    FOG_CELL = 8,    /* voxels from one value of noise to the next */
-    FOG_LEAST = 260, /* noise below it is clear */
-    FOG_MOST = 700,  /* and from here on it is densest */
-    FOG_OPACITY = 8  /* of a density for a slice, of 65535; 31 of them are .96 of 1/255 */
+    RING_HALF = 9,     /* of its thickness */
+    AMBIENT = 150,     /* of ONE */
+    FOG_CELL = 8,      /* voxels from one value of noise to the next */
+    FOG_LEAST = 270,   /* noise below it is clear */
+    FOG_MOST = 720,    /* and from here on it is densest */
+    FOG_OPACITY = 1100 /* of the densest for a slice, of 65535 */
 };
 
 typedef struct {
@@ -46,7 +46,7 @@ typedef struct {
 static const vector light = {-560, -660, 540};
 static const vector axis = {250, -400, 895}; /* of the planet; the ring lies across it */
 
-static const uint8_t fog_colours[FOG_HUES][3] = {{70, 130, 255}, {225, 90, 235}};
+static const uint8_t fog_colours[FOG_HUES][3] = {{70, 150, 255}, {235, 90, 240}};
 static const uint8_t band_colours[BANDS][3] = {{255, 205, 130}, {225, 140, 80}};
 static const uint8_t ring_colour[3] = {250, 225, 190};
 
@@ -110,7 +110,7 @@ static int32_t fog(vector at)
     int32_t dense = (2 * noise(at, FOG_CELL, 1) + noise(at, FOG_CELL / 2, 2)) / 3;
     int32_t density =
         clamp((dense - FOG_LEAST) * FOG_DENSITIES / (FOG_MOST - FOG_LEAST), 0, FOG_DENSITIES);
-    int32_t hue = noise(at, FOG_CELL, 3) * FOG_HUES / ONE;
+    int32_t hue = noise(at, 2 * FOG_CELL, 3) * FOG_HUES / ONE;
     return density == 0 ? 0 : FOG + hue * FOG_DENSITIES + density - 1;
 }
 
@@ -209,9 +209,11 @@ void planet_make_palette(uint16_t entry[QV_PALETTE_ENTRIES][4])
     static const uint8_t black[3] = {0, 0, 0};
     for (int32_t i = 0; i < PLANET; i++)
         set(entry[i], black, ONE, 0);
-    for (int32_t i = 0; i < FOG_HUES * FOG_DENSITIES; i++)
+    for (int32_t i = 0; i < FOG_HUES * FOG_DENSITIES; i++) {
+        int32_t density = i % FOG_DENSITIES + 1; /* opacity by its square: wisps */
         set(entry[FOG + i], fog_colours[i / FOG_DENSITIES], ONE,
-            (i % FOG_DENSITIES + 1) * FOG_OPACITY);
+            density * density * FOG_OPACITY / (FOG_DENSITIES * FOG_DENSITIES));
+    }
     for (int32_t band = 0; band < BANDS; band++)
         surface_entries(entry + PLANET + band * SHADES * PARTS, band_colours[band]);
     surface_entries(entry + RING, ring_colour);

@@ -3,7 +3,7 @@
 # and tables to build/papers/PAPER; papers.sh PAPER... does some of them.
 set -eu
 cd "$(dirname "$0")/../.."
-: "${BUILD:=build}"
+: "${BUILD:=build}" "${QVOL:=$BUILD/host/qvol}"
 SOURCES=tests/papers
 OUT=${PAPERS_OUT:-$BUILD/papers}
 
@@ -107,6 +107,95 @@ figures() {
     sheet "$sheet_name" "$sheet_title" 3 "$@"
 }
 
+# head_by_slices PICTURE OPTION...: the demo's head in a frame buffer of 8 bits.
+head_by_slices() {
+    picture=$1
+    shift
+    "$QVOL" render /usr/share/mricron/templates/ch2.nii.gz -q --shade --compositing slices \
+        --mask /usr/share/mricron/templates/ch2bet.nii.gz --mask-tf brain \
+        --background 0b1220 --elevation 14 --size 256x256 "$@" -o "$folder/pictures/$picture.png"
+}
+
+# haze HOW OPTION...: in so many $slices.
+haze() {
+    how=$1
+    shift
+    head_by_slices "haze-$slices-$how" --tf "$SOURCES/dithering/haze.tf" --zoom 1.45 \
+        --azimuth 130 --slices "$slices" "$@"
+}
+
+# fog BRICKS HOW OPTION...
+fog() {
+    bricks=$1 how=$2
+    shift 2
+    head_by_slices "fog-$bricks-$how" --tf "$SOURCES/dithering/fog.tf" --zoom 1.15 \
+        --azimuth 160 --slices 400 --bricks "$bricks" "$@"
+}
+
+head_pictures() {
+    for slices in 128 275 600; do
+        haze none --dither none
+        haze rounding --dither rounding
+        haze exact --framebuffer 24
+    done
+    haze random --dither random --period 16
+    haze ordered --dither ordered --period 16
+    haze bump --dither bump
+    haze feedback --dither feedback
+    for bricks in 1x1x1 2x1x1; do
+        fog "$bricks" none --dither none
+        fog "$bricks" rounding --dither rounding
+    done
+}
+
+# measured PICTURE OTHER WHAT: a label that ends in the RMS of the two's difference, in levels;
+# it becomes a line of numbers.txt too.
+measured() {
+    levels=$("$QVOL" compare "$folder/pictures/$1.png" "$folder/pictures/$2.png" |
+        awk '$4 == "rms" { sum += $5 * $5 } END { printf "%.2f", sqrt(sum / 3) }')
+    printf '| %-10s | %-58s | %8s | %8s |\n' "$sheet_name" "$3, RMS" - "$levels" >>"$folder/numbers.txt"
+    echo "$3: RMS $levels"
+}
+
+words_of() { # words_of HOW
+    case $1 in
+    none) echo "without dither" ;;
+    random | ordered) echo "$1 dither, period 16" ;;
+    bump) echo "ordered dither, bumps" ;;
+    rounding) echo "dithered rounding" ;;
+    feedback) echo "feedback, 8 bits beside" ;;
+    esac
+}
+
+head_sheets() {
+    sheet_name=figure3
+    set --
+    for how in rounding none; do
+        for slices in 128 275 600; do
+            set -- "$@" "haze-$slices-$how" "$(measured "haze-$slices-$how" \
+                "haze-$slices-exact" "$slices slices, $(words_of $how)")"
+        done
+    done
+    sheet $sheet_name "Figure 3: a haze in 8 bits; RMS from 24 bits" 3 "$@"
+
+    sheet_name=techniques
+    set --
+    for how in none random ordered bump rounding feedback; do
+        set -- "$@" "haze-600-$how" \
+            "$(measured "haze-600-$how" haze-600-exact "$(words_of $how)")"
+    done
+    sheet $sheet_name "The haze in 600 slices, 8 bits; RMS from 24 bits" 3 "$@"
+
+    sheet_name=figure6
+    set --
+    for how in none rounding; do
+        set -- "$@" "fog-2x1x1-$how" \
+            "$(measured "fog-2x1x1-$how" "fog-1x1x1-$how" "two bricks, $(words_of $how)")" \
+            "fog-1x1x1-$how" "one brick"
+    done
+    sheet $sheet_name "Figure 6: fog in two bricks; RMS from one" 2 "$@"
+}
+
 dithering() {
     plot_figures
     figures problem "8 bits without dither: slices of colour 255, and two bricks of them" \
@@ -116,6 +205,10 @@ dithering() {
     figures bricks "Two bricks" 09 17 19 20 21 35
     figures chunks "Two bricks, blended in chunks (section 7)" 42 43 44 45 46 47 48 49 50 51 52 53 54
     figures bits12 "Frame buffers of 12 bits (section 4.1)" 36 37 38
+    head_pictures
+    printf '\n## %s\n\n| sheet | what | paper | computed |\n|---|---|---|---|\n' \
+        "Pictures of the head, in levels" >>"$folder/numbers.txt"
+    head_sheets
 }
 
 [ $# -gt 0 ] || set -- wittenbrink kraus dithering

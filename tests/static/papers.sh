@@ -151,6 +151,19 @@ dithering_worst() {
     done
 }
 
+# What vanishes without dither, and the seam between bricks.
+check "Dithering: pictures of the head" dithering_says <<'ROWS'
+15 40 figure3: 600 slices, without dither, RMS
+5 15 figure3: 275 slices, without dither, RMS
+0 1.2 figure3: 128 slices, dithered rounding, RMS
+0 1.2 figure3: 275 slices, dithered rounding, RMS
+0 1.2 figure3: 600 slices, dithered rounding, RMS
+5 15 techniques: ordered dither, period 16, RMS
+0 .3 techniques: feedback, 8 bits beside, RMS
+4 20 figure6: two bricks, without dither, RMS
+0 1 figure6: two bricks, dithered rounding, RMS
+ROWS
+
 check "Dithering: the paper's numbers" dithering_says <<'ROWS'
 153 153 section 5: colour 157 under a slice of opacity 7 and no colour
 100 100 figure 5: 8 bits, level after 100 slices
@@ -272,7 +285,8 @@ check "Kraus: figures 5 to 7 at 512x512" pictures_exist kraus 512 \
     pictures/wall-extinction-0.7 pictures/wall-extinction-1.7 pictures/wall-extinction-2.2 \
     pictures/scattered-opacity pictures/scattered-extinction
 
-check "Dithering: sheets" pictures_exist dithering 0 problem dithered bricks chunks bits12
+check "Dithering: sheets" pictures_exist dithering 0 problem dithered bricks chunks bits12 \
+    figure3 techniques figure6
 set --
 for figure in 05 $(seq -f %02.0f 7 39) $(seq 42 56); do
     set -- "$@" "pictures/figure$figure"

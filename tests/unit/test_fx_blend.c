@@ -196,33 +196,6 @@ static void separate_dither_of_the_paper(void **state)
     assert_int_equal(fx_blend_associated(157, 0, 7, 8), 153);
 }
 
-/*
- * Two bricks of the same slices, in every way of sharing them: as in one go. Above the plateau
- * too, where the opacity does not tell their number. Every opacity and some colours, and a
- * background that no slice has made where the front brick is below its plateau.
- */
-static void replayed_bricks(void **state)
-{
-    (void)state;
-    for (uint32_t opacity = 1; opacity < 256; opacity++)
-        for (uint32_t colour = 0; colour < 256; colour += 15) {
-            uint32_t states[300] = {0}, covered[300] = {0}, over = 77;
-            for (unsigned n = 1; n < 300; n++) {
-                states[n] = fx_blend_plain(states[n - 1], colour, opacity, 8);
-                covered[n] = fx_blend_plain(covered[n - 1], 255, opacity, 8);
-            }
-            for (unsigned far = 0; far < 300; far += 7)
-                for (unsigned near = 0; near + far < 300; near += 3)
-                    assert_int_equal(fx_replay(states[far], covered[near], colour, opacity),
-                                     states[far + near]);
-            for (unsigned n = 0; covered[n] < fx_plateau(opacity, 255); n++) {
-                assert_int_equal(fx_replay(77, covered[n], colour, opacity), over);
-                over = fx_blend_plain(over, colour, opacity, 8);
-            }
-        }
-    assert_int_equal(fx_replay(77, 200, 255, 0), 77);
-}
-
 /* ---- Dithered blends ------------------------------------------------------ */
 
 /* With S = state / 2^f: light + B S, plus u, cut; in units of 2^-(32+f) of a unit. */
@@ -536,7 +509,6 @@ int main(void)
         cmocka_unit_test(light_of_5_and_6_bits),
         cmocka_unit_test(division_by_ones),
         cmocka_unit_test(plain_blends_exhaustively),
-        cmocka_unit_test(replayed_bricks),
         cmocka_unit_test(plain_blends_of_12_bits),
         cmocka_unit_test(slices_of_the_paper),
         cmocka_unit_test(separate_dither_of_the_paper),

@@ -4,7 +4,9 @@
  */
 #include "check.h"
 #include "fx_alpha.h"
-#include "fx_blend.h"
+#include "qvol.h"
+
+#include <string.h>
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
@@ -68,15 +70,24 @@ static void S76_corrected_opacities(void **state)
 
 static void S77_replay(void **state)
 {
-    static const uint32_t examples[][5] = {{100, 100, 255, 1, 128},
-                                           {30, 128, 255, 1, 128},
-                                           {77, 93, 200, 3, 116},
-                                           {77, 255, 200, 3, 158},
-                                           {9, 0, 1, 1, 9}};
+    static const struct {
+        uint8_t rgba[4], far[4], near[4], result[4];
+    } examples[] = {
+        {{255, 255, 255, 1}, {100, 100, 100, 100}, {100, 100, 100, 100}, {128, 128, 128, 128}},
+        {{200, 100, 0, 30}, {90, 46, 255, 200}, {129, 64, 0, 161}, {161, 82, 94, 235}},
+        {{255, 255, 255, 3}, {255, 0, 0, 255}, {93, 93, 93, 93}, {255, 93, 93, 255}},
+        {{10, 20, 30, 40}, {77, 77, 77, 77}, {1, 2, 3, 4}, {77, 78, 79, 80}},
+        {{7, 8, 9, 0}, {1, 2, 3, 4}, {0, 0, 0, 0}, {1, 2, 3, 4}}};
+    const qv_rect rect = {0, 0, 1, 1};
     (void)state;
     for (unsigned i = 0; i < COUNT(examples); i++) {
-        const uint32_t *e = examples[i];
-        assert_int_equal(fx_replay(e[0], e[1], e[2], e[3]), e[4]);
+        uint8_t far[4], near[4];
+        const qv_buffer behind = {far, NULL, 4, 0, 4, 0, &qv_hardware_rgba8888};
+        const qv_buffer front = {near, NULL, 4, 0, 4, 0, &qv_hardware_rgba8888};
+        memcpy(far, examples[i].far, 4);
+        memcpy(near, examples[i].near, 4);
+        assert_int_equal(qv_replay(&behind, &front, examples[i].rgba, &rect), QV_OK);
+        assert_memory_equal(far, examples[i].result, 4);
     }
 }
 

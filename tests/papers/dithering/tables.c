@@ -38,26 +38,29 @@ static void table1(FILE *file)
 
 enum { period = 8, cutoff = 3 };
 
-/* The transfer function of figure 41 from index 0 on, as table 3 comments it; the last
-   index is printed there as 23 a second time. */
+/* The transfer function of figure 41 from index 0 on, as table 3 comments it; its last index
+   is printed there as 23 a second time. */
 static const double opacities[] = {23, .25, .25, .25, 28, 27, 26, 27, 23, 27, .25, .25, .25,
                                    28, 34,  25,  42,  28, 25, 24, 27, 25, 28, 31,  33};
+enum { indices = sizeof opacities / sizeof *opacities };
 
 static void table3(FILE *file)
 {
-    const fx_period slices = fx_period_of(period);
-    uint32_t equal = 0; /* neighbours before this one that have its opacity */
+    const qv_dither dither = {.sequence = qv_sequence_rounded, .period = period, .cutoff = cutoff};
+    uint8_t entries[period][QV_PALETTE_ENTRIES];
+    static qv_transfer transfer;
+    for (int i = 0; i < indices; i++) {
+        transfer.rgba[i][3] = paper_channel(opacities[i] / 255);
+    }
+    paper_require(qv_dither_table_build(entries, sizeof entries, 1, &dither, &transfer, 0,
+                                        QV_PALETTE_ENTRIES) == QV_OK,
+                  "cannot build table 3");
     fputs("Table 3: opacities of figure 41, dithered over 8 slices up to 3\n\n", file);
     fputs("index  slice 0  1  2  3  4  5  6  7  opacity\n", file);
-    for (uint32_t i = 0; i < sizeof opacities / sizeof *opacities; i++) {
-        const uint32_t base = (uint32_t)opacities[i];
-        const uint32_t hits = fx_hits(&slices, (uint32_t)(opacities[i] * 65536), base, 1);
-        equal = i > 0 && opacities[i] == opacities[i - 1] ? equal + 1 : 0;
-        fprintf(file, "%5u       ", (unsigned)i);
-        for (uint32_t slice = 0; slice < period; slice++) {
-            const bool hit =
-                opacities[i] < cutoff && fx_hit_ordered(&slices, hits, (slice + equal) % period);
-            fprintf(file, "%3u", (unsigned)(base + hit));
+    for (int i = 0; i < indices; i++) {
+        fprintf(file, "%5d       ", i);
+        for (int slice = 0; slice < period; slice++) {
+            fprintf(file, "%3u", (unsigned)entries[slice][i]);
         }
         fprintf(file, "  %7g\n", opacities[i]);
     }

@@ -1,0 +1,55 @@
+#!/bin/sh
+# What blends cost, by exact counts of the emulated Cortex-M3: the dithered blend of 8 bits beside
+# the plain one that an engineer writes by hand. Every blend gives the results of this
+# machine, by checksum, on the Cortex-M0, M3 and AVR, and divides nowhere.
+set -eu
+. tests/tap
+: "${BUILD:=build}" "${CC:=cc}"
+
+MOST_TIMES_BY_HAND=2
+
+$CC -std=c99 -O2 -Icore -Ifixedpoint -Iport tests/bench/board_host.c tests/bench/blends_device.c \
+    core/*.c fixedpoint/*.c -o "$work/host"
+"$work/host" >"$work/expected"
+
+runs() { # runs TARGET BOARD OPTIMISE: the results of this machine
+    top=$BUILD/bench$3
+    make -s TARGET="$1" OPTIMISE="$3" BUILD="$top" "$top/$1/blends.elf" &&
+        toolchain/emulate "$2" "$top/$1/blends.elf" >"$work/results" &&
+        diff "$work/expected" "$work/results" && [ "$(wc -l <"$work/results")" -ge 27 ]
+}
+
+undivided() { # undivided PREFIX TARGET: no instruction and no helper that divides
+    for name in blend_over blend_under blend_hardware dither buffer; do
+        "$1-objdump" -dr "$BUILD/bench-O2/$2/core/$name.o" >"$work/code" &&
+            grep -q '<blend_\|<qv_' "$work/code" &&
+            ! grep -E '[us]div|__aeabi_u?l?i?div|__u?div(mod)?[qhsd]' "$work/code" || return 1
+    done
+}
+
+counted() {
+    BUILD=$BUILD tests/bench/blends.sh cortex-m3 lm3s6965evb >"$work/counts"
+}
+
+at_most() { # at_most TIMES NAME: an instruction count beside that of by_hand
+    status=0
+    awk -F'|' -v name="$2" -v most="$1" '
+        $1 == "by_hand" { base = $2 }
+        $1 == name { cost = $2 }
+        END { printf "# %s: %s instructions a pixel, by_hand: %s\n", name, cost, base
+              exit !(base > 0 && cost > 0 && cost <= most * base) }' "$work/counts" || status=1
+    outcome $status "$2 takes at most $1 times the instructions of a plain blend"
+}
+
+make -s TARGET=avr BUILD="$BUILD" "$BUILD/emulator/avr" >&2
+for optimise in -Os -O2; do
+    check "blends on cortex-m0 $optimise" runs cortex-m0 microbit $optimise
+    check "blends on cortex-m3 $optimise" runs cortex-m3 lm3s6965evb $optimise
+    check "blends on avr $optimise" runs avr atmega1284p $optimise
+done
+check "no division on cortex-m0" undivided arm-none-eabi cortex-m0
+check "no division on cortex-m3" undivided arm-none-eabi cortex-m3
+check "no division on avr" undivided avr avr
+check "instructions of every blend" counted
+at_most $MOST_TIMES_BY_HAND over_rgb888
+finish
