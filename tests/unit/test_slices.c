@@ -78,7 +78,7 @@ static void expect_samples(expectation *e, const qv_scene *scene, ref_mode mode,
 static void expect_pieces(expectation *e, const qv_scene *scene, ref_mode mode, const ref_ray *ray)
 {
     ref_piece piece = ref_first_piece(ray);
-    while (ref_next_piece(&piece, ray, 1, INFINITY)) {
+    while (ref_next_piece(&piece, ray, 1, HUGE_VAL)) {
         const double middle = (piece.begin + piece.end) / 2, length = piece.end - piece.begin;
         double point[3], sample[4];
         ref_point(point, ray, middle);
