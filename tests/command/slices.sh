@@ -304,6 +304,12 @@ export_refused() { # export_refused PATTERN OPTION...
     shift
     refuses "refused: classify $*" 2 "$pattern" "$QVOL" classify $IN "$@"
 }
+"$QVOL" classify $IN -o a.c --dither-table colour --json=a.json
+"$QVOL" classify $IN -o b.c --json=b.json
+check "the report tells the bytes of the table" "$PYTHON" -c '
+import json
+a, b = (json.load(open(name + ".json"))["output"]["dither_table_bytes"] for name in "ab")
+assert a == 32768 and b == 0'
 export_refused "unknown 'both', use one of opacity, colour" -o a.c --dither-table both
 export_refused ": --dither-table: needs an output that ends in .c or .h" -o a.raw --dither-table colour
 export_refused ": --dither-table: needs opacity" -o a.c --dither-table colour --extinction auto
