@@ -892,9 +892,9 @@ typedef struct qv_recommendation {
  * so many slices that are not empty, 1 .. 4096, of which none has less than this opacity, Q0.32,
  * not 0. It is what has the smallest error on any content: dither by blocks, which is within 5.5
  * levels of 8 bits in a fog as well; but for few bits and high opacities plain rounding. Where
- * slices are known not to be empty, qv_sequence_golden is as good. The errors were measured, back to
- * front (core/recommend_table.h). Returns QV_OK or QV_ERROR_NULL, _SIZE (bits), _SLICE (slices, or
- * opacity 0).
+ * slices are known not to be empty, qv_sequence_golden may be better. The errors were measured,
+ * back to front (core/recommend_table.h). Returns QV_OK or QV_ERROR_NULL, _SIZE (bits), _SLICE
+ * (slices, or opacity 0).
  */
 qv_status qv_recommend(qv_recommendation *recommendation, uint8_t bits, uint8_t residual_bits,
                        uint16_t slices, uint32_t opacity);
