@@ -863,8 +863,8 @@ uint8_t qv_dither_table_place(uint8_t period, int32_t slice, uint32_t frame, int
  * entry of the voxel that is nearest to sample `slice`, whatever the context's sampling. Of the
  * dither, frame and still are read. The blend is qv_hardware_rgba8888, _rgb888 or
  * qv_hand_out_rgba8888; no division, and no multiplication by a colour. Returns QV_OK or
- * QV_ERROR_NULL, _RECT, _BUFFER (also for another blend), _SIZE (the table), _STORAGE (not indexed),
- * _SLICE.
+ * QV_ERROR_NULL, _RECT, _BUFFER (also for another blend), _SIZE (the table), _STORAGE (not
+ * indexed), _SLICE.
  */
 qv_status qv_slice_table(const qv_buffer *buffer, const qv_dither_table *table,
                          const qv_dither *dither, const qv_context *context, const qv_rect *rect,
@@ -888,11 +888,11 @@ typedef struct qv_recommendation {
 
 /*
  * What to take for a frame buffer of so many bits a channel (5, 6, 8, 12, 16 or 24), with
- * residuals of 0, 4 or 8 bits beside (which only 8 bits make use of), where a pixel meets up to so
- * many slices that are not empty, 1 .. 4096, and none of them has less than this opacity, Q0.32, not
- * 0. It is what has the smallest error on any content: dither by blocks, which is within 5.5 levels
- * of 8 bits in a fog as well, but for few bits and high opacities, where plain rounding is better.
- * Where slices are known not to be empty, qv_sequence_golden is as good. The errors were measured,
+ * residuals of 0, 4 or 8 bits beside (which only 8 bits make use of), where a pixel meets up to
+ * so many slices that are not empty, 1 .. 4096, of which none has less than this opacity, Q0.32,
+ * not 0. It is what has the smallest error on any content: dither by blocks, which is within 5.5
+ * levels of 8 bits in a fog as well; but for few bits and high opacities plain rounding. Where
+ * slices are known not to be empty, qv_sequence_golden may be better. The errors were measured,
  * back to front (core/recommend_table.h). Returns QV_OK or QV_ERROR_NULL, _SIZE (bits), _SLICE
  * (slices, or opacity 0).
  */

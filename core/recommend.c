@@ -70,11 +70,12 @@ qv_status qv_recommend(qv_recommendation *recommendation, uint8_t bits, uint8_t 
 
     unsigned row = row_of(opacity), cell = of * RECOMMEND_ROWS + row;
     qv_advice advice = advice_of(of, row, bits);
+    uint16_t fog = fx_table16(&recommend_fog[cell]); /* of any number of slices */
+    uint16_t worst = fx_table16(&recommend_worst[cell * RECOMMEND_COLUMNS + column_of(slices)]);
     int dithers = advice == QV_ADVICE_DITHER || advice == QV_ADVICE_RESIDUAL;
     recommendation->advice = advice;
     recommendation->sequence = dithers ? qv_sequence_blocks : qv_sequence_rounded;
-    recommendation->worst_fog = fx_table16(&recommend_fog[cell]);
-    recommendation->worst =
-        fx_table16(&recommend_worst[cell * RECOMMEND_COLUMNS + column_of(slices)]);
+    recommendation->worst_fog = fog < worst ? fog : worst;
+    recommendation->worst = worst;
     return QV_OK;
 }

@@ -7,10 +7,12 @@
  */
 uint64_t fx_wide_product_narrow(uint32_t a, uint32_t b)
 {
-    uint32_t al = a & 0xFFFFu, ah = a >> 16, bl = b & 0xFFFFu, bh = b >> 16;
-    uint32_t low = al * bl, cross1 = al * bh, cross2 = ah * bl;
+    uint16_t al = (uint16_t)a, ah = (uint16_t)(a >> 16);
+    uint16_t bl = (uint16_t)b, bh = (uint16_t)(b >> 16);
+    uint32_t low = fx_product16(al, bl);
+    uint32_t cross1 = fx_product16(al, bh), cross2 = fx_product16(ah, bl);
     uint32_t middle = (low >> 16) + (cross1 & 0xFFFFu) + (cross2 & 0xFFFFu);
-    uint32_t high = ah * bh + (cross1 >> 16) + (cross2 >> 16) + (middle >> 16);
+    uint32_t high = fx_product16(ah, bh) + (cross1 >> 16) + (cross2 >> 16) + (middle >> 16);
     return (uint64_t)high << 32 | (middle << 16 | (low & 0xFFFFu));
 }
 

@@ -20,6 +20,16 @@
 #endif
 #endif
 
+/* a * b, exact. GCC's multiplication of 16 bits on an AVR takes a third of that of 32, which it
+   takes where it sees that the operands are parts of wider ones. */
+static inline uint32_t fx_product16(uint16_t a, uint16_t b)
+{
+#if defined(__AVR__)
+    __asm__("" : "+r"(a), "+r"(b));
+#endif
+    return (uint32_t)a * b;
+}
+
 /* a * b, exact: the form for machines without a wide multiplication. */
 uint64_t fx_wide_product_narrow(uint32_t a, uint32_t b);
 
@@ -50,7 +60,7 @@ static inline uint32_t fx_high_product(uint32_t a, uint32_t b)
 static inline uint32_t fx_product_shift16(uint32_t a, uint16_t b)
 {
 #if FX_NARROW
-    return (a >> 16) * b + (((a & 0xFFFFu) * b) >> 16);
+    return fx_product16((uint16_t)(a >> 16), b) + (fx_product16((uint16_t)a, b) >> 16);
 #else
     return (uint32_t)(((uint64_t)a * b) >> 16);
 #endif

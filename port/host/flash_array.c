@@ -4,10 +4,12 @@
 #include "flash_array.h"
 #include "error.h"
 #include "picture.h"
+#include "settings_slices.h"
 
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define TEXT_BYTES   512
@@ -128,6 +130,9 @@ static void print_declarations(struct flash_array *array)
     if (array->levels != NULL) {
         print(array, "extern const qv_pyramid %s_pyramid;\n", array->name);
     }
+    if (array->settings->dither_table != TABLE_NONE) {
+        print(array, "extern const qv_dither_table %s_dither_table;\n", array->name);
+    }
 }
 
 void flash_array_begin(struct flash_array *array, output *out, const struct model *model,
@@ -141,6 +146,7 @@ void flash_array_begin(struct flash_array *array, output *out, const struct mode
     array->model = model;
     array->volume = volume;
     array->levels = levels;
+    array->settings = settings;
     array->header_file = has_ending(settings->output, ".h");
     if (settings->name != NULL) {
         snprintf(array->name, sizeof array->name, "%s", settings->name);
@@ -180,14 +186,20 @@ void flash_array_voxels(struct flash_array *array, const void *voxels, size_t by
     }
 }
 
-/* A whole array of entries: the palette, or levels. */
+/* A whole array. */
+static void print_words(struct flash_array *array, const char *what, const void *words,
+                        uint64_t bytes, unsigned word_bytes)
+{
+    start_array(array, what, word_bytes, bytes / word_bytes);
+    flash_array_voxels(array, words, (size_t)bytes);
+    print(array, "\n};\n");
+}
+
+/* The palette, or levels. */
 static void print_entries(struct flash_array *array, const char *what, const void *entries,
                           uint64_t bytes)
 {
-    unsigned word_bytes = storage_channel_bytes(array->model->storage);
-    start_array(array, what, word_bytes, bytes / word_bytes);
-    flash_array_voxels(array, entries, (size_t)bytes);
-    print(array, "\n};\n");
+    print_words(array, what, entries, bytes, storage_channel_bytes(array->model->storage));
 }
 
 /* Positional, so that C++ takes it as well; the order is that of qv_volume. */
@@ -225,6 +237,29 @@ static void print_pyramid(struct flash_array *array)
           array->name, pyramid->bytes, pyramid->levels);
 }
 
+/* In the order of qv_dither_table. */
+static void print_dither_table(struct flash_array *array)
+{
+    const struct model *model = array->model;
+    uint8_t entry_bytes = (uint8_t)array->settings->dither_table;
+    qv_dither dither = {0};
+    uint32_t bytes;
+    uint8_t *entries;
+    settings_alpha(&dither, array->settings);
+    bytes = qv_dither_table_bytes(dither.period, entry_bytes);
+    entries = allocate(bytes, model->scan.file, "dither table");
+    check_status(qv_dither_table_build(entries, bytes, entry_bytes, &dither, &model->table, 0,
+                                       QV_PALETTE_ENTRIES),
+                 model, "dither table");
+    print_words(array, "dither_entries", entries, bytes, 1);
+    free(entries);
+    print(array, "\n%sconst qv_dither_table %s_dither_table = {\n", linkage(array), array->name);
+    print(array, "    (qv_address)%s_dither_entries,\n    %" PRIu32 "u, /* bytes */\n", array->name,
+          bytes);
+    print(array, "    %u, /* period */\n    %u, /* bytes of an entry */\n};\n", dither.period,
+          entry_bytes);
+}
+
 void flash_array_end(struct flash_array *array)
 {
     const struct model *model = array->model;
@@ -235,5 +270,8 @@ void flash_array_end(struct flash_array *array)
     print_volume(array);
     if (array->levels != NULL) {
         print_pyramid(array);
+    }
+    if (array->settings->dither_table != TABLE_NONE) {
+        print_dither_table(array);
     }
 }

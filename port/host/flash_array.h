@@ -14,6 +14,7 @@ struct flash_array {
     const struct model *model;
     const qv_volume *volume;
     const struct levels *levels; /* null: none */
+    const struct settings *settings;
     char name[FLASH_NAME_BYTES];
     bool header_file;    /* .h: static constants; .c: with external linkage */
     unsigned word_bytes; /* 1 or 2: so the array is aligned as the storage needs */

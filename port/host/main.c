@@ -73,9 +73,11 @@ static const struct command commands[] = {
      "\n" TRANSFER_DETAILS "\nOUT ends in .c or .h (constant arrays and a qv_volume for flash), "
      "else it gets the voxels,\n"
      "x fastest, and OUT.palette the palette of indexed8. C arrays are in the compiler's own byte\n"
-     "order and take no --endian. --azimuth, --elevation and --roll place the light of --shade.\n",
+     "order and take no --endian. --azimuth, --elevation and --roll place the light of --shade.\n"
+     "--dither-table adds a qv_dither_table of dithered opacities, alone or after the colour that\n"
+     "they weight, for slices whose opacities are those of the transfer function.\n",
      GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_REDUCE | GROUP_EXPORT | GROUP_OUTPUT |
-         GROUP_REPORT | GROUP_THREADS | GROUP_COMMON,
+         GROUP_REPORT | GROUP_THREADS | GROUP_COMMON | GROUP_TABLE,
      1, command_classify},
     {"qvol pyramid", "IN -o OUT [options]", "Makes coarser levels of a volume, down to one voxel.",
      INPUT_DETAILS

@@ -3,6 +3,7 @@
  */
 #include "report_export.h"
 #include "report_model.h"
+#include "settings_slices.h"
 
 #include <stdio.h>
 
@@ -14,6 +15,13 @@ static const char *byte_order(const struct export *export)
         return "the compiler's";
     }
     return export->settings->big_endian ? "big" : "little";
+}
+
+static uint32_t table_bytes(const struct settings *settings)
+{
+    qv_dither dither = {0};
+    settings_alpha(&dither, settings);
+    return qv_dither_table_bytes(dither.period, (uint8_t)settings->dither_table);
 }
 
 /* Voxels and levels are one file, or an array each. */
@@ -28,6 +36,7 @@ static void report_file(struct json *json, const struct export *export)
     json_text(json, "kind", export->is_array ? "C arrays" : "raw");
     json_unsigned(json, "bytes", bytes);
     json_integer(json, "palette_bytes", export->model->palette_bytes);
+    json_unsigned(json, "dither_table_bytes", table_bytes(export->settings));
     json_text(json, "byte_order", byte_order(export));
     json_close(json);
 }

@@ -47,6 +47,8 @@ enum sequence_kind {
     SEQUENCE_HASH,
     SEQUENCE_BLOCKS
 };
+/* Bytes of an entry. */
+enum table_kind { TABLE_NONE = 0, TABLE_OPACITY = 1, TABLE_COLOUR = 4 };
 enum container { CONTAINER_BY_ENDING, CONTAINER_PNG, CONTAINER_PAM, CONTAINER_RAW };
 
 /* Slices and the frame buffer that they are blended into. 0: not given. */
@@ -120,6 +122,7 @@ struct settings {
 
     uint32_t reduce[3]; /* 0: not given */
     uint64_t fit;       /* bytes; 0: not given */
+    int dither_table;   /* enum table_kind */
     const char *name;   /* of the C array; null: from the output */
     double tolerance;
     bool gain_given;
@@ -139,7 +142,8 @@ enum option_group {
     GROUP_OUTPUT = 256,
     GROUP_COMMON = 512,
     GROUP_REDUCE = 1024,
-    GROUP_LEVELS = 2048
+    GROUP_LEVELS = 2048,
+    GROUP_TABLE = 4096
 };
 
 struct option_spec {

@@ -70,7 +70,7 @@ void settings_check_needs(const struct settings *settings, int groups)
          "raw output: C arrays are in the compiler's byte order"},
     };
     settings_refuse(needs, sizeof needs / sizeof needs[0]);
-    settings_check_slices(settings);
+    settings_check_slices(settings, groups);
 }
 
 qv_storage settings_storage(const struct settings *settings, qv_storage by_default)

@@ -4,16 +4,19 @@
 #include "settings_slices.h"
 #include "error.h"
 
+#include <math.h>
 #include <stddef.h>
 
 /* The library's ranges. */
 /* All of them are counted in 32 bits. */
-#define BRICKS_MOST  64
-#define SLICES_MOST  65535
-#define PERIOD_LEAST 2
-#define PERIOD_MOST  64
-#define SLOPE_LEAST  (1.0 / QV_ONE_Q16)
-#define SLOPE_MOST   16
+#define BRICKS_MOST    64
+#define SLICES_MOST    65535
+#define PERIOD_LEAST   2
+#define PERIOD_MOST    64
+#define PERIOD_DEFAULT 32  /* of the paper's figures, unless it says otherwise */
+#define CUTOFF_DEFAULT 255 /* above which no opacity lies */
+#define SLOPE_LEAST    (1.0 / QV_ONE_Q16)
+#define SLOPE_MOST     16
 
 static const choice compositing_names[] = {{"rays", 0}, {"slices", 1}, {NULL, 0}};
 
@@ -35,6 +38,9 @@ const choice sequence_names[] = {
     {"blocks", SEQUENCE_BLOCKS},
     {NULL, 0},
 };
+
+static const choice table_names[] = {
+    {"opacity", TABLE_OPACITY}, {"colour", TABLE_COLOUR}, {NULL, 0}};
 
 static const choice residual_names[] = {{"4", 4}, {"8", 8}, {NULL, 0}};
 
@@ -125,6 +131,11 @@ void set_bricks(struct settings *settings, const char *option, const char *value
     }
 }
 
+void set_dither_table(struct settings *settings, const char *option, const char *value)
+{
+    settings->dither_table = choose(option, value, table_names);
+}
+
 /* ---- What they need --------------------------------------------------------- */
 
 int settings_framebuffer(const struct settings *settings)
@@ -144,6 +155,17 @@ unsigned settings_residual(const struct settings *settings)
 {
     bool feedback = settings->slices.dither == DITHER_FEEDBACK;
     return settings->slices.residual == 0 && feedback ? 8 : settings->slices.residual;
+}
+
+void settings_alpha(qv_dither *dither, const struct settings *settings)
+{
+    const struct slice_settings *s = &settings->slices;
+    for (unsigned i = 0; i < 2; i++) {
+        double slope = s->slopes != 0 ? s->slope[i] : 1;
+        dither->slope[i] = (uint32_t)lround(slope * QV_ONE_Q16);
+    }
+    dither->period = (uint8_t)(s->period != 0 ? s->period : PERIOD_DEFAULT);
+    dither->cutoff = (uint8_t)(s->cutoff != 0 ? s->cutoff : CUTOFF_DEFAULT);
 }
 
 static void check_compositing(const struct settings *settings)
@@ -233,8 +255,30 @@ static void check_parts(const struct settings *settings)
     settings_refuse(needs, sizeof needs / sizeof needs[0]);
 }
 
-void settings_check_slices(const struct settings *settings)
+/* Of classify. */
+static void check_table(const struct settings *settings)
 {
+    const struct slice_settings *s = &settings->slices;
+    bool table = settings->dither_table != TABLE_NONE;
+    const struct option_need needs[] = {
+        {"--dither-table", table, settings_want_array(settings), "an output that ends in .c or .h"},
+        {"--dither-table", table, !settings->extinction_given, "opacity: no --extinction"},
+        {"--dither-table", table,
+         settings->storage == 0 || settings->storage == QV_STORAGE_INDEXED8, "--storage indexed8"},
+        {"--period", s->period != 0, table, "--dither-table"},
+        {"--slope", s->slopes != 0, table, "--dither-table"},
+        {"--slope", s->slopes == 2, false, "a single slope: a table has one"},
+        {"--cutoff", s->cutoff != 0, table, "--dither-table"},
+    };
+    settings_refuse(needs, sizeof needs / sizeof needs[0]);
+}
+
+void settings_check_slices(const struct settings *settings, int groups)
+{
+    if ((groups & GROUP_TABLE) != 0) {
+        check_table(settings);
+        return;
+    }
     check_compositing(settings);
     if (settings->slices.wanted) {
         check_dither(settings);

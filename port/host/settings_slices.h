@@ -12,7 +12,8 @@
 typedef void option_setter(struct settings *settings, const char *option, const char *value);
 
 option_setter set_compositing, set_framebuffer, set_dither, set_residual, set_sequence, set_period,
-    set_slope, set_cutoff, set_frame, set_still, set_chunk, set_slices, set_bricks;
+    set_slope, set_cutoff, set_frame, set_still, set_chunk, set_slices, set_bricks,
+    set_dither_table;
 
 /* Names of the values, for reports as well. */
 extern const choice framebuffer_names[];
@@ -24,7 +25,11 @@ int settings_framebuffer(const struct settings *settings);
 int settings_dither(const struct settings *settings);
 unsigned settings_residual(const struct settings *settings);
 
-/* Refuses options that would change nothing, or make no sense together. */
-void settings_check_slices(const struct settings *settings);
+/* What makes opacities of 8 bits: period, slopes and cutoff. */
+void settings_alpha(qv_dither *dither, const struct settings *settings);
+
+/* Refuses options that would change nothing, or make no sense together; `groups` are those of
+   the command. */
+void settings_check_slices(const struct settings *settings, int groups);
 
 #endif

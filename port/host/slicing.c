@@ -5,14 +5,8 @@
 #include "error.h"
 #include "settings_slices.h"
 
-#include <math.h>
 #include <stddef.h>
 #include <string.h>
-
-/* Of the paper's figures, unless it says otherwise. */
-#define PERIOD_DEFAULT 32
-/* The cutoff above which no opacity lies. */
-#define CUTOFF_DEFAULT 255
 
 /* Who is dithered: opacities, the results of blending, or these with a residual beside. */
 enum method { OPACITIES, RESULTS, RESIDUAL4, RESIDUAL8 };
@@ -138,18 +132,14 @@ static void set_kind(struct slicing *slicing, const struct settings *settings)
     slicing->sequence = sequence_kind(advice->recommendation.sequence);
 }
 
-static void set_dither_values(struct slicing *slicing, const struct slice_settings *s)
+static void set_dither_values(struct slicing *slicing, const struct settings *settings)
 {
+    const struct slice_settings *s = &settings->slices;
     qv_dither *dither = &slicing->dither;
+    settings_alpha(dither, settings);
     dither->sequence = sequences[slicing->sequence];
     dither->technique = technique_of(slicing->kind, s->slopes != 0);
-    for (unsigned i = 0; i < 2; i++) {
-        double slope = s->slopes != 0 ? s->slope[i] : 1;
-        dither->slope[i] = (uint32_t)lround(slope * QV_ONE_Q16);
-    }
     dither->frame = s->frame;
-    dither->period = (uint8_t)(s->period != 0 ? s->period : PERIOD_DEFAULT);
-    dither->cutoff = (uint8_t)(s->cutoff != 0 ? s->cutoff : CUTOFF_DEFAULT);
     dither->still = s->still;
     slicing->joining = *dither;
     slicing->joining.technique = &qv_technique_rounded;
@@ -177,5 +167,5 @@ void slicing_create(struct slicing *slicing, const qv_scene *scene, const struct
     slicing->chunk = s->chunk;
     set_bricks_of(slicing, &scene->volume, s->bricks);
     slicing->blend = blend_of(slicing, scene, settings);
-    set_dither_values(slicing, s);
+    set_dither_values(slicing, settings);
 }

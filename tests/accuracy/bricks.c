@@ -7,6 +7,7 @@
 #include "fx_alpha.h"
 #include "fx_blend.h"
 #include "fx_dither.h"
+#include "pixel.h"
 #include "qvol.h"
 
 #include <math.h>
@@ -14,99 +15,21 @@
 #include <stdio.h>
 
 #define ONE        65536u
-#define PERIOD     32
-#define PHASES     32
+#define PHASES     32 /* phase << 27 shifts the dither */
 #define SLICES_MAX 1000
 #define OPACITIES  100
 
-/* A number of a slice near the middle of a volume, as the renderer counts them. */
-#define MIDDLE 0x400000u
-
-/* The opacity of a fog in all the units that blends take it in. */
-typedef struct fog {
-    double level;
-    uint32_t opacity, opacity23, opacity32; /* the first a level with 16 fraction bits */
-} fog;
-
-/* A slice's number, and where in the dither it lies. */
-typedef struct moment {
-    uint32_t place; /* in the period */
-    uint32_t u;
-} moment;
-
 typedef struct technique {
-    const char *name;
-    uint32_t (*blend)(uint32_t state, const fog *of, const moment *at);
-    uint32_t (*dither)(uint32_t index);
-    unsigned fraction;
+    ref_pixel_technique is;
     double most[2], aim[2]; /* percent, over 200 and 1000 slices */
 } technique;
 
 static const uint32_t counts[2] = {200, 1000};
 
-static fog fog_of(double level)
-{
-    fog of = {level, (uint32_t)(level * ONE + .5), 0, (uint32_t)(level / 255 * UINT32_MAX + .5)};
-    of.opacity23 = fx_opacity_q23(of.opacity32);
-    return of;
-}
-
 /* .5 .. 255, evenly by ratio. */
-static fog nth_fog(unsigned i)
+static ref_pixel_fog nth_fog(unsigned i)
 {
-    return fog_of(.5 * pow(510, i / (OPACITIES - 1.0)));
-}
-
-/* ---- Techniques ----------------------------------------------------------- */
-
-static uint32_t rounded(uint32_t state, const fog *of, const moment *at)
-{
-    (void)at;
-    return fx_blend_plain(state, 255, fx_alpha_rounded(of->opacity), 8);
-}
-
-static uint32_t ordered(uint32_t state, const fog *of, const moment *at)
-{
-    const fx_alpha by = {fx_period_of(PERIOD), {ONE, ONE}, 255};
-    return fx_blend_plain(state, 255, fx_alpha_ordered(&by, of->opacity, at->place), 8);
-}
-
-static uint32_t bumped(uint32_t state, const fog *of, const moment *at)
-{
-    const fx_alpha by = {fx_period_of(PERIOD), {ONE, ONE}, 255};
-    return fx_blend_plain(state, 255, fx_alpha_bumped(&by, of->opacity, at->place, state), 8);
-}
-
-static uint32_t corrected(uint32_t state, const fog *of, const moment *at)
-{
-    return fx_blend_plain(state, 255, fx_alpha_corrected(of->opacity, 255, state, at->u), 8);
-}
-
-static uint32_t dithered(uint32_t state, const fog *of, uint32_t u, unsigned fraction)
-{
-    return fx_blend_dithered(state, 255 * of->opacity23, of->opacity23, u, fraction);
-}
-
-static uint32_t dithered_8(uint32_t state, const fog *of, const moment *at)
-{
-    return dithered(state, of, at->u, 0);
-}
-
-static uint32_t dithered_8_4(uint32_t state, const fog *of, const moment *at)
-{
-    return dithered(state, of, at->u, 4);
-}
-
-static uint32_t dithered_8_8(uint32_t state, const fog *of, const moment *at)
-{
-    return dithered(state, of, at->u, 8);
-}
-
-static uint32_t rounded_8_16(uint32_t state, const fog *of, const moment *at)
-{
-    (void)at;
-    return fx_blend_8_16(state, fx_light_of_colour32(255, of->opacity32), of->opacity32,
-                         FX_NO_DITHER);
+    return ref_pixel_fog_of(.5 * pow(510, i / (OPACITIES - 1.0)), 255);
 }
 
 /* ---- Bricks --------------------------------------------------------------- */
@@ -116,26 +39,18 @@ typedef struct numbers {
     uint32_t first, step;
 } numbers;
 
-static const numbers upwards = {0, 1};                 /* as in the paper */
-static const numbers downwards = {MIDDLE, UINT32_MAX}; /* as in the renderer */
-
-static moment moment_of(const technique *by, uint32_t index, uint32_t phase)
-{
-    moment at = {(index + phase * PERIOD / PHASES) % PERIOD, 0};
-    if (by->dither != NULL)
-        at.u = by->dither(index) + (phase << 27);
-    return at;
-}
+static const numbers upwards = {0, 1};                           /* as in the paper */
+static const numbers downwards = {REF_PIXEL_MIDDLE, UINT32_MAX}; /* as in the renderer */
 
 /* states[n] after n slices, of which the first is the `skipped`-th of the numbers. */
-static void accumulate(uint32_t *states, uint32_t count, const technique *by, const fog *of,
-                       numbers numbered, uint32_t skipped, uint32_t phase)
+static void accumulate(uint32_t *states, uint32_t count, const ref_pixel_technique *by,
+                       const ref_pixel_fog *fog, numbers numbered, uint32_t skipped, uint32_t phase)
 {
     states[0] = 0;
     for (uint32_t n = 0; n < count; n++) {
         const uint32_t index = numbered.first + numbered.step * (skipped + n);
-        const moment at = moment_of(by, index, phase);
-        states[n + 1] = by->blend(states[n], of, &at);
+        const ref_moment at = ref_moment_of(by, index, phase << 27);
+        states[n + 1] = by->blend(states[n], fog, &at);
     }
 }
 
@@ -150,7 +65,7 @@ static double over(double near, double far)
  * the near one as if it were a slice, by the blend of the slices. Its light is limited to that
  * of the opacity, which is rounded.
  */
-static double combined(const technique *by, uint32_t near, uint32_t far)
+static double combined(const ref_pixel_technique *by, uint32_t near, uint32_t far)
 {
     const unsigned fraction = by->fraction;
     const uint32_t opacity32 = fx_opacity_of_level(near << (16 - fraction));
@@ -167,36 +82,37 @@ typedef struct seam {
     double percent, opacity;
 } seam;
 
-static void add_error(seam *worst, double combination, uint32_t whole, const fog *of)
+static void add_error(seam *worst, double combination, uint32_t whole, const ref_pixel_fog *fog)
 {
     const double percent = 100 * fabs(combination / whole - 1);
     if (percent > worst->percent) {
         worst->percent = percent;
-        worst->opacity = of->level;
+        worst->opacity = fog->level;
     }
 }
 
 /* Both bricks number their slices alike. */
-static void add_alike(seam *worst, const technique *by, const fog *of, uint32_t count,
-                      numbers numbered)
+static void add_alike(seam *worst, const ref_pixel_technique *by, const ref_pixel_fog *fog,
+                      uint32_t count, numbers numbered)
 {
     uint32_t states[SLICES_MAX + 1];
     for (uint32_t phase = 0; phase < PHASES; phase++) {
-        accumulate(states, count, by, of, numbered, 0, phase);
+        accumulate(states, count, by, fog, numbered, 0, phase);
         for (uint32_t n = 0; n <= count; n++)
-            add_error(worst, combined(by, states[n], states[count - n]), states[count], of);
+            add_error(worst, combined(by, states[n], states[count - n]), states[count], fog);
     }
 }
 
 /* The near brick's slices have the numbers that they have without bricks. */
-static void add_continued(seam *worst, const technique *by, const fog *of, uint32_t count)
+static void add_continued(seam *worst, const ref_pixel_technique *by, const ref_pixel_fog *fog,
+                          uint32_t count)
 {
     uint32_t whole[SLICES_MAX + 1], near[SLICES_MAX + 1];
     for (uint32_t phase = 0; phase < PHASES; phase += 4) {
-        accumulate(whole, count, by, of, downwards, 0, phase);
+        accumulate(whole, count, by, fog, downwards, 0, phase);
         for (uint32_t n = 1; n < count; n += 3) {
-            accumulate(near, n, by, of, downwards, count - n, phase);
-            add_error(worst, combined(by, near[n], whole[count - n]), whole[count], of);
+            accumulate(near, n, by, fog, downwards, count - n, phase);
+            add_error(worst, combined(by, near[n], whole[count - n]), whole[count], fog);
         }
     }
 }
@@ -206,14 +122,14 @@ static bool check_count(const technique *by, unsigned which)
     seam published = {0, 0}, alike = {0, 0}, continued = {0, 0};
     const uint32_t count = counts[which];
     for (unsigned i = 0; i < OPACITIES; i++) {
-        const fog of = nth_fog(i);
-        add_alike(&published, by, &of, count, upwards);
-        add_alike(&alike, by, &of, count, downwards);
+        const ref_pixel_fog fog = nth_fog(i);
+        add_alike(&published, &by->is, &fog, count, upwards);
+        add_alike(&alike, &by->is, &fog, count, downwards);
         if (i % 3 == 0)
-            add_continued(&continued, by, &of, count);
+            add_continued(&continued, &by->is, &fog, count);
     }
     const double worst = fmax(published.percent, fmax(alike.percent, continued.percent));
-    printf("# %-20s %6u %8.3f at %5.2f %8.3f at %5.2f %8.3f at %5.2f", by->name, count,
+    printf("# %-20s %6u %8.3f at %5.2f %8.3f at %5.2f %8.3f at %5.2f", by->is.name, count,
            published.percent, published.opacity, alike.percent, alike.opacity, continued.percent,
            continued.opacity);
     if (by->aim[which] > 0)
@@ -230,7 +146,7 @@ static void check_all(const technique *techniques, size_t count)
     for (size_t i = 0; i < count; i++)
         for (unsigned which = 0; which < 2; which++)
             if (!check_count(&techniques[i], which))
-                fail_msg("%s, %u slices: beyond its bound", techniques[i].name, counts[which]);
+                fail_msg("%s, %u slices: beyond its bound", techniques[i].is.name, counts[which]);
 }
 
 static void print_head(void)
@@ -244,14 +160,14 @@ static void print_head(void)
 static void of_8_bits(void **state)
 {
     static const technique techniques[] = {
-        {"rounded", rounded, NULL, 0, {28.1, 49.9}, {0, 0}},
-        {"ordered", ordered, NULL, 0, {28.1, 49.9}, {0, 0}},
-        {"bumped", bumped, NULL, 0, {30.2, 25}, {0, 0}},
-        {"corrected, golden r.", corrected, fx_dither_golden, 0, {4.2, 1.45}, {3.5, 1}},
-        {"corrected, blocks", corrected, fx_dither_blocks, 0, {5.4, 1.25}, {3.5, 1}},
-        {"8 bits, golden ratio", dithered_8, fx_dither_golden, 0, {4.2, 1.45}, {3.5, 1}},
-        {"8 bits, hash", dithered_8, fx_dither_hash, 0, {19.5, 5.3}, {3.5, 1}},
-        {"8 bits, blocks", dithered_8, fx_dither_blocks, 0, {5.4, 1.25}, {3.5, 1}},
+        {{"rounded", ref_pixel_rounded, NULL, 0}, {28.1, 49.9}, {0, 0}},
+        {{"ordered", ref_pixel_ordered, NULL, 0}, {28.1, 49.9}, {0, 0}},
+        {{"bumped", ref_pixel_bumped, NULL, 0}, {30.2, 25}, {0, 0}},
+        {{"corrected, golden r.", ref_pixel_corrected, fx_dither_golden, 0}, {4.2, 1.45}, {3.5, 1}},
+        {{"corrected, blocks", ref_pixel_corrected, fx_dither_blocks, 0}, {5.4, 1.25}, {3.5, 1}},
+        {{"8 bits, golden ratio", ref_pixel_8, fx_dither_golden, 0}, {4.2, 1.45}, {3.5, 1}},
+        {{"8 bits, hash", ref_pixel_8, fx_dither_hash, 0}, {19.5, 5.3}, {3.5, 1}},
+        {{"8 bits, blocks", ref_pixel_8, fx_dither_blocks, 0}, {5.4, 1.25}, {3.5, 1}},
     };
     (void)state;
     print_head();
@@ -261,11 +177,11 @@ static void of_8_bits(void **state)
 static void of_more_bits(void **state)
 {
     static const technique techniques[] = {
-        {"8.4, blocks", dithered_8_4, fx_dither_blocks, 4, {.75, .18}, {0, 0}},
-        {"8.8, golden ratio", dithered_8_8, fx_dither_golden, 8, {.071, .024}, {.05, .05}},
-        {"8.8, hash", dithered_8_8, fx_dither_hash, 8, {.07, .032}, {.05, .05}},
-        {"8.8, blocks", dithered_8_8, fx_dither_blocks, 8, {.065, .023}, {.05, .05}},
-        {"8.16", rounded_8_16, NULL, 16, {.001, .001}, {.05, .05}},
+        {{"8.4, blocks", ref_pixel_8_4, fx_dither_blocks, 4}, {.75, .18}, {0, 0}},
+        {{"8.8, golden ratio", ref_pixel_8_8, fx_dither_golden, 8}, {.071, .024}, {.05, .05}},
+        {{"8.8, hash", ref_pixel_8_8, fx_dither_hash, 8}, {.07, .032}, {.05, .05}},
+        {{"8.8, blocks", ref_pixel_8_8, fx_dither_blocks, 8}, {.065, .023}, {.05, .05}},
+        {{"8.16", ref_pixel_8_16, NULL, 16}, {.001, .001}, {.05, .05}},
     };
     (void)state;
     CHECK_ALL(techniques);
@@ -287,13 +203,13 @@ static double brick_of_chunks(const uint32_t *chunk, uint32_t size, uint32_t cou
 
 static double seam_of_chunks(double opacity, double slope, uint32_t size, uint32_t count)
 {
-    const fx_alpha by = {fx_period_of(PERIOD), {(uint32_t)(slope * ONE + .5), ONE}, 255};
-    const fog of = fog_of(opacity);
+    const fx_alpha by = {fx_period_of(REF_PIXEL_PERIOD), {(uint32_t)(slope * ONE + .5), ONE}, 255};
+    const ref_pixel_fog fog = ref_pixel_fog_of(opacity, 255);
     uint32_t chunk[SLICES_MAX + 1] = {0};
     double worst = 0;
     for (uint32_t n = 0; n < count; n++)
-        chunk[n + 1] =
-            fx_blend_plain(chunk[n], 255, fx_alpha_ordered(&by, of.opacity, n % PERIOD), 8);
+        chunk[n + 1] = fx_blend_plain(chunk[n], 255,
+                                      fx_alpha_ordered(&by, fog.opacity, n % REF_PIXEL_PERIOD), 8);
     const double whole = brick_of_chunks(chunk, size, count);
     for (uint32_t n = 0; n <= count; n++) {
         const double near = brick_of_chunks(chunk, size, n);
@@ -328,9 +244,10 @@ static void chunks(void **state)
 }
 
 /* Dithered blends in chunks, whose slices go on being numbered. bricks[n] has n slices. */
-static void dithered_chunks(double *bricks, uint32_t size, uint32_t count, const fog *of,
+static void dithered_chunks(double *bricks, uint32_t size, uint32_t count, const ref_pixel_fog *fog,
                             uint32_t phase)
 {
+    static const ref_pixel_technique golden = {"", ref_pixel_8, fx_dither_golden, 0};
     uint32_t state = 0;
     double behind = 0;
     bricks[0] = 0;
@@ -339,7 +256,8 @@ static void dithered_chunks(double *bricks, uint32_t size, uint32_t count, const
             behind = bricks[n];
             state = 0;
         }
-        state = dithered(state, of, fx_dither_golden(MIDDLE - n) + (phase << 27), 0);
+        const ref_moment at = ref_moment_of(&golden, REF_PIXEL_MIDDLE - n, phase << 27);
+        state = golden.blend(state, fog, &at);
         bricks[n + 1] = over(state, behind);
     }
 }
@@ -349,8 +267,8 @@ static double seam_of_dithered_chunks(uint32_t size, uint32_t count)
     double bricks[SLICES_MAX + 1], worst = 0;
     for (unsigned i = 0; i < OPACITIES; i++)
         for (uint32_t phase = 0; phase < PHASES; phase++) {
-            const fog of = nth_fog(i);
-            dithered_chunks(bricks, size, count, &of, phase);
+            const ref_pixel_fog fog = nth_fog(i);
+            dithered_chunks(bricks, size, count, &fog, phase);
             for (uint32_t n = 0; n <= count; n++) {
                 const double both = over(bricks[n], bricks[count - n]);
                 worst = fmax(worst, 100 * fabs(both / bricks[count] - 1));

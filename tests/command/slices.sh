@@ -260,6 +260,66 @@ assert c["bricks"] == [2, 1, 1] and c["framebuffer"]["pixel_bytes"] == 4
 assert c["dither"]["period"] == 16 and c["dither"]["slope_q16"][0] == 32768
 assert d is None'
 
+# Tables of dithered opacities for flash.
+cat >table.c <<'END'
+#include "qvol.h"
+#include <string.h>
+#ifdef TABLE_HEADER
+#include TABLE_HEADER
+#else
+extern const qv_volume a_volume;
+extern const qv_dither_table a_dither_table;
+#endif
+int main(void)
+{
+    static uint8_t entries[1024 * 64];
+    const qv_dither dither = {.period = PERIOD, .cutoff = CUTOFF, .slope = {SLOPE, 0}};
+    qv_transfer transfer;
+    memcpy(&transfer, a_volume.palette, sizeof transfer); /* of 16 bits */
+    return a_volume.palette_bytes != sizeof transfer || a_dither_table.period != PERIOD ||
+           a_dither_table.entry_bytes != ENTRY ||
+           a_dither_table.bytes != qv_dither_table_bytes(PERIOD, ENTRY) ||
+           qv_dither_table_build(entries, sizeof entries, ENTRY, &dither, &transfer, 0, 256) != QV_OK ||
+           memcmp(entries, a_dither_table.entries, (size_t)a_dither_table.bytes) != 0;
+}
+END
+core=$TESTS/../../core fixedpoint=$TESTS/../../fixedpoint
+table() { # table NAME FILE OPTIONS MACRO...
+    test_name=$1 file=$2 options=$3
+    shift 3
+    rm -f a.c a.h table
+    # shellcheck disable=SC2086
+    "$QVOL" classify $IN -o "$file" --tf fog --palette-bits 16 $options
+    source=a.c
+    [ "$file" = a.c ] || source=-DTABLE_HEADER=\"a.h\"
+    check "$test_name compiles" "$CC" -std=c99 -pedantic -Wall -Wextra -Werror -I. -I"$core" -I"$fixedpoint" "$@" \
+        table.c "$source" "$core"/*.c "$fixedpoint"/*.c -o table
+    check "$test_name holds what the library builds" ./table
+}
+table "a table of opacities" a.c "--dither-table opacity" -DPERIOD=32 -DCUTOFF=0 -DSLOPE=0 -DENTRY=1
+table "a table of colours" a.h "--dither-table colour --period 8 --slope .5 --cutoff 3" \
+    -DPERIOD=8 -DCUTOFF=3 -DSLOPE=32768 -DENTRY=4
+export_refused() { # export_refused PATTERN OPTION...
+    pattern=$1
+    shift
+    refuses "refused: classify $*" 2 "$pattern" "$QVOL" classify $IN "$@"
+}
+"$QVOL" classify $IN -o a.c --dither-table colour --json=a.json
+"$QVOL" classify $IN -o b.c --json=b.json
+check "the report tells the bytes of the table" "$PYTHON" -c '
+import json
+a, b = (json.load(open(name + ".json"))["output"]["dither_table_bytes"] for name in "ab")
+assert a == 32768 and b == 0'
+export_refused "unknown 'both', use one of opacity, colour" -o a.c --dither-table both
+export_refused ": --dither-table: needs an output that ends in .c or .h" -o a.raw --dither-table colour
+export_refused ": --dither-table: needs opacity" -o a.c --dither-table colour --extinction auto
+export_refused ": --dither-table: needs --storage indexed8" -o a.c --dither-table colour --storage rgba8
+for option in --period --slope --cutoff; do
+    export_refused ": $option: needs --dither-table" -o a.c $option 2
+done
+export_refused ": --slope: needs a single slope" -o a.c --dither-table colour --slope 1,2
+export_refused ": --frame: unknown" -o a.c --frame 2
+
 # What is refused.
 refused() { # refused PATTERN OPTION...
     pattern=$1

@@ -32,7 +32,11 @@ enum {
     GAP_OUTER = 214,
     RING_OUTER = 246,
     RING_HALF = 9,     /* of its thickness */
+    RING_BRIGHT = 850, /* of ONE, and what its grooves add */
+    RING_GROOVE = 60,
+    GROOVES = 3,
     AMBIENT = 150,     /* of ONE */
+    SHADOW = 3,        /* divides the light where the ring's shadow falls on the planet */
     FOG_CELL = 8,      /* voxels from one value of noise to the next */
     FOG_LEAST = 270,   /* noise below it is clear */
     FOG_MOST = 720,    /* and from here on it is densest */
@@ -72,6 +76,7 @@ static int32_t clamp(int32_t v, int32_t low, int32_t high)
 
 /* ---- Noise ------------------------------------------------------------------ */
 
+/* 0 .. ONE - 1, at random. */
 static int32_t lattice(int32_t x, int32_t y, int32_t z, uint32_t seed)
 {
     uint32_t cell = (uint32_t)(x + 64 * y + 4096 * z) * 2u + 1u;
@@ -153,6 +158,7 @@ static int32_t filled(int32_t inside)
     return clamp((inside + VOXEL / 2) * PARTS / VOXEL, 0, PARTS);
 }
 
+/* The palette's index of a surface whose entries begin at `first`. */
 static int32_t surface(int32_t first, int32_t shade_of_it, int32_t part)
 {
     return first + shade_of_it * PARTS + part - 1;
@@ -163,8 +169,15 @@ static int32_t planet(vector p, int32_t radius, int32_t part)
     int32_t cosine = dot(p, light) / (radius != 0 ? radius : 1);
     int32_t latitude = dot(p, axis) / ONE + PLANET_RADIUS;
     int32_t band = latitude / BAND % BANDS;
-    return surface(PLANET + band * SHADES * PARTS, shade(shadowed_by_ring(p) ? cosine / 3 : cosine),
-                   part);
+    if (shadowed_by_ring(p))
+        cosine /= SHADOW;
+    return surface(PLANET + band * SHADES * PARTS, shade(cosine), part);
+}
+
+static int32_t ring(vector p, int32_t radius, int32_t part)
+{
+    int32_t cosine = RING_BRIGHT + radius % GROOVES * RING_GROOVE;
+    return surface(RING, shade(shadowed_by_planet(p) ? 0 : cosine), part);
 }
 
 /* Of a voxel's centre, along one axis. */
@@ -183,7 +196,7 @@ static int32_t voxel(vector at)
     int32_t height = dot(p, axis) / ONE;
     part = filled(RING_HALF - (height < 0 ? -height : height));
     if (part > 0 && in_ring(root(dot(p, p) - height * height)))
-        return surface(RING, shade(shadowed_by_planet(p) ? 0 : 850 + radius % 3 * 60), part);
+        return ring(p, radius, part);
     return fog(at);
 }
 

@@ -148,13 +148,13 @@ head_pictures() {
     done
 }
 
-# measured PICTURE OTHER WHAT: a label that ends in the RMS of the two's difference, in levels;
-# it becomes a line of numbers.txt too.
+# measured PICTURE OTHER WHAT: a label with the RMS of the two's difference, in levels, which
+# becomes a line of numbers.txt too.
 measured() {
     levels=$("$QVOL" compare "$folder/pictures/$1.png" "$folder/pictures/$2.png" |
         awk '$4 == "rms" { sum += $5 * $5 } END { printf "%.2f", sqrt(sum / 3) }')
     printf '| %-10s | %-58s | %8s | %8s |\n' "$sheet_name" "$3, RMS" - "$levels" >>"$folder/numbers.txt"
-    echo "$3: RMS $levels"
+    printf '%s\nRMS %s\n' "$3" "$levels"
 }
 
 words_of() { # words_of HOW

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """sheet.py FOLDER SHEET TITLE COLUMNS PICTURE LABEL [PICTURE LABEL]...
 
-Writes FOLDER/SHEET.png: pictures of FOLDER/pictures with a label below each. What lies as
-FOLDER/data/PICTURE.ppm is written there first. No picture is scaled.
+Writes FOLDER/SHEET.png: pictures of FOLDER/pictures with a label of some lines below each. What
+lies as FOLDER/data/PICTURE.ppm is written there first. No picture is scaled.
 """
 import pathlib
 import sys
@@ -27,7 +27,8 @@ pictures = [picture_of(name) for name in rest[0::2]]
 labels = rest[1::2]
 
 width = max(picture.width for picture in pictures) + GAP
-height = max(picture.height for picture in pictures) + LABEL + 2 * GAP
+lines = 1 + max(label.count("\n") for label in labels)
+height = max(picture.height for picture in pictures) + lines * (LABEL + 4) + 2 * GAP - 4
 rows = -(-len(pictures) // columns)
 top = TITLE + 2 * GAP
 sheet = Image.new("RGB", (columns * width + GAP, top + rows * height), PAPER)

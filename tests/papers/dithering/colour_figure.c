@@ -102,12 +102,12 @@ void colour_figure(FILE *numbers, FILE *index, const char *folder)
                 fall_of(curves.values[OURS]));
     numbers_add(numbers, "figure 39", "dithered rounding, worst difference in levels", "-",
                 fabs(worst_of(curves.errors[OURS], slices)));
-    (void)snprintf(caption, sizeof caption,
-                   "Worst, levels:  apart %.3g  with opacity %.3g  ours %.3g  ours, more bits %.3g",
-                   fabs(worst_of(curves.errors[RANDOM], slices)),
-                   fabs(worst_of(curves.errors[ORDERED], slices)),
-                   fabs(worst_of(curves.errors[OURS], slices)),
-                   fabs(worst_of(curves.errors[WIDE], slices)));
+    (void)snprintf(
+        caption, sizeof caption,
+        "Worst, in levels: apart %.3g, with its opacity %.3g, ours %.3g, ours, more bits %.3g",
+        fabs(worst_of(curves.errors[RANDOM], slices)),
+        fabs(worst_of(curves.errors[ORDERED], slices)), fabs(worst_of(curves.errors[OURS], slices)),
+        fabs(worst_of(curves.errors[WIDE], slices)));
     const figure_text text = {39, "accumulated", "Figure 39: opacity 0.75, colour 200", caption};
     write_plot(folder, index, &text, &curves);
 }

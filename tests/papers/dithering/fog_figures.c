@@ -243,11 +243,13 @@ static void make_caption(char *text, size_t size, const plot *of, const char *un
 {
     static const char *const short_names[CURVES] = {"",       "plain", "ordered",
                                                     "random", "ours",  "ours, more bits"};
-    int length = snprintf(text, size, "Worst, %s:", unit);
+    const char *separator = ": ";
+    int length = snprintf(text, size, "Worst, in %s", unit);
     for (int c = PLAIN; c < CURVES; c++) {
         if (of->shown & SHOWS(c)) {
-            length += snprintf(text + length, size - (size_t)length, "  %s %.3g", short_names[c],
-                               fabs(worst_of(of->errors[c], of->slices)));
+            length += snprintf(text + length, size - (size_t)length, "%s%s %.3g", separator,
+                               short_names[c], fabs(worst_of(of->errors[c], of->slices)));
+            separator = ", ";
         }
     }
 }
@@ -278,7 +280,7 @@ static void worst_head(FILE *numbers, const char *title)
 /* A table of the figures of one sort, and their plots. */
 static void worst_table(FILE *numbers, FILE *index, const char *folder, bool bricks)
 {
-    const char *unit = bricks ? "AAP error in %" : "levels";
+    const char *unit = bricks ? "% of AAP error" : "levels";
     plot curves;
     char title[128], caption[192];
     worst_head(numbers, bricks ? "Two bricks: worst AAP error in %, and over 64 pixels"
