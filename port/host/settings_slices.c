@@ -8,15 +8,15 @@
 #include <stddef.h>
 
 /* The library's ranges. */
-/* All of them are counted in 32 bits. */
-#define BRICKS_MOST    64
-#define SLICES_MOST    65535
-#define PERIOD_LEAST   2
-#define PERIOD_MOST    64
+#define SLICES_MOST  65535
+#define PERIOD_LEAST 2
+#define PERIOD_MOST  64
+#define SLOPE_LEAST  (1.0 / QV_ONE_Q16)
+#define SLOPE_MOST   16
+
 #define PERIOD_DEFAULT 32  /* of the paper's figures, unless it says otherwise */
 #define CUTOFF_DEFAULT 255 /* above which no opacity lies */
-#define SLOPE_LEAST    (1.0 / QV_ONE_Q16)
-#define SLOPE_MOST     16
+#define BRICKS_MOST    64  /* an axis: all of them are counted in 32 bits */
 
 static const choice compositing_names[] = {{"rays", 0}, {"slices", 1}, {NULL, 0}};
 

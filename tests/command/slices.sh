@@ -12,6 +12,7 @@ for depth in 100, 200:
 write("slab_16x16x16_uint8.raw", packed([255] * 4096))
 write("one.tf", b"0 255 255 255 0.00392156863\n")
 write("thin.tf", b"0 255 255 255 0.0015686\n")
+write("bands.tf", b"0 255 0 0 0\n60 255 0 0 .1\n120 0 255 0 .4\n180 0 0 255 .2\n")
 write("empty.tf", b"0 255 255 255 0\n")
 write("rgba_24x20x16.raw", bytes(v // 3 for v in blob(size) for _ in range(4)))
 PY
@@ -146,9 +147,9 @@ alike "chunks of bricks" rays.pam a.pam
 for view in "--azimuth 200" "--azimuth 300 --elevation -40" "--elevation 90" "--perspective 40" \
     "--perspective 120 --zoom 3"; do
     # shellcheck disable=SC2086
-    draw rays.pam --sampling nearest --tf bone $view --termination 0
+    draw rays.pam --sampling nearest --tf ./bands.tf $view --termination 0
     # shellcheck disable=SC2086
-    slices a.pam --sampling nearest --tf bone $view --framebuffer 24 --bricks 3x4x2
+    slices a.pam --sampling nearest --tf ./bands.tf $view --framebuffer 24 --bricks 3x4x2
     mostly "bricks from the back: $view" rays.pam a.pam
 done
 draw rays.pam --termination 0

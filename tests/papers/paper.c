@@ -87,6 +87,22 @@ void paper_volume_fill(const paper_volume *made, paper_fill *fill, const void *f
     }
 }
 
+#define HEAD_FILE  "/usr/share/mricron/templates/ch2.nii.gz"
+#define HEAD_BEGIN 352 /* bytes before the voxels of a NIfTI-1 file */
+
+uint8_t *paper_head(void)
+{
+    const size_t voxels = (size_t)PAPER_HEAD_X * PAPER_HEAD_Y * PAPER_HEAD_Z;
+    unsigned char header[HEAD_BEGIN];
+    uint8_t *head = paper_memory(voxels, 1);
+    FILE *pipe = popen("gzip -dc " HEAD_FILE, "r");
+    paper_require(pipe != NULL && fread(header, 1, sizeof header, pipe) == sizeof header &&
+                      fread(head, 1, voxels, pipe) == voxels,
+                  "cannot read " HEAD_FILE " (Debian's mricron-data)");
+    (void)pclose(pipe);
+    return head;
+}
+
 void paper_pyramid_make(paper_pyramid *made, const qv_volume *volume, const qv_filter *filter,
                         const qv_domain *domain, uint8_t levels)
 {

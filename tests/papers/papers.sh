@@ -198,6 +198,7 @@ head_sheets() {
 
 dithering() {
     plot_figures
+    plot histogram
     figures problem "8 bits without dither: slices of colour 255, and two bricks of them" \
         05 10 11 08 15 07 12 13 14
     figures dithered "Ordered and random dither of the opacity, and dithered rounding of the blend" \

@@ -166,6 +166,8 @@ ROWS
 
 check "Dithering: the paper's numbers" dithering_says <<'ROWS'
 153 153 section 5: colour 157 under a slice of opacity 7 and no colour
+0 0 figure 41: equation 12, worst difference of an opacity
+35 35 figure 41: entries at peaks
 100 100 figure 5: 8 bits, level after 100 slices
 82.86 82.86 figure 5: exact, level after 100 slices
 128 128 figure 5: 8 bits, level after 200 slices
@@ -286,7 +288,7 @@ check "Kraus: figures 5 to 7 at 512x512" pictures_exist kraus 512 \
     pictures/scattered-opacity pictures/scattered-extinction
 
 check "Dithering: sheets" pictures_exist dithering 0 problem dithered bricks chunks bits12 \
-    figure3 techniques figure6
+    figure3 techniques figure6 histogram
 set --
 for figure in 05 $(seq -f %02.0f 7 39) $(seq 42 56); do
     set -- "$@" "pictures/figure$figure"

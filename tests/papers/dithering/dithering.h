@@ -61,6 +61,10 @@ void colour_figure(FILE *numbers, FILE *index, const char *folder);
 /* Figures 5 to 56 but 39: one fog, or two bricks of it. */
 void fog_figures(FILE *numbers, FILE *index, const char *folder);
 
+/* Figures 40 and 41: opacities of the head by its histogram (equation 12). Goes on with the
+   same lines. */
+void histogram_figures(FILE *numbers, const char *folder);
+
 /* Tables 1 and 3. */
 void tables(const char *folder);
 

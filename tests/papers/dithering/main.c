@@ -12,6 +12,7 @@ int main(int argc, char **argv)
     fputs("# Williams et al.: alpha dithering\n\n## What the paper says\n\n", numbers);
     fputs("| place | what | paper | computed |\n|---|---|---|---|\n", numbers);
     colour_figure(numbers, index, folder);
+    histogram_figures(numbers, folder);
     fog_figures(numbers, index, folder);
     tables(argv[1]);
     paper_close(index);

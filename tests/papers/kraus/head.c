@@ -1,5 +1,5 @@
 /*
- * head.c - the head ch2.nii.gz of Debian's mricron-data, classified and shaded by the
+ * head.c - the head of Debian's mricron-data, classified and shaded by the
  * library: an opaque skin, a few voxels thick, before a blue inside. Where a coarser
  * level loses the skin, blue shines through.
  */
@@ -8,10 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SCAN_FILE   "/usr/share/mricron/templates/ch2.nii.gz"
-#define SCAN_HEADER 352 /* bytes before the voxels of a NIfTI-1 file */
-
-enum { nx = 181, ny = 217, nz = 181, edge = 256 /* pixels of the frame */ };
+enum { nx = PAPER_HEAD_X, ny = PAPER_HEAD_Y, nz = PAPER_HEAD_Z, edge = 256 /* pixels */ };
 
 static const qv_control_point points[] = {
     {8, {65535, 46000, 34000, 0}},      {14, {65535, 48000, 36000, 60000}},
@@ -31,19 +28,6 @@ static const qv_shading shading = {
     .least_gradient = 1,
 };
 
-static uint8_t *read_scan(void)
-{
-    const size_t voxels = (size_t)nx * ny * nz;
-    unsigned char header[SCAN_HEADER];
-    uint8_t *scan = paper_memory(voxels, 1);
-    FILE *pipe = popen("gzip -dc " SCAN_FILE, "r");
-    paper_require(pipe != NULL && fread(header, 1, sizeof header, pipe) == sizeof header &&
-                      fread(scan, 1, voxels, pipe) == voxels,
-                  "cannot read " SCAN_FILE " (Debian's mricron-data)");
-    (void)pclose(pipe);
-    return scan;
-}
-
 static qv_scalars describe(const uint8_t *scan)
 {
     qv_scalars scalars;
@@ -62,7 +46,7 @@ static qv_scalars describe(const uint8_t *scan)
 
 void make_head(subject *made)
 {
-    uint8_t *scan = read_scan();
+    uint8_t *scan = paper_head();
     qv_transfer table;
     const qv_classifier classifier = {describe(scan), 0, 255, &table, &shading};
     const qv_block all = {{0, 0, 0}, {nx, ny, nz}};
