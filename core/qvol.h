@@ -661,7 +661,7 @@ typedef struct qv_blend {
 extern const qv_blend qv_over_rgb888, qv_over_rgba8888;                     /* 5.5, 37 */
 extern const qv_blend qv_over_rgb888_residual4, qv_over_rgba8888_residual4; /* 1.1, 4.5 */
 extern const qv_blend qv_over_rgb888_residual8, qv_over_rgba8888_residual8; /* .6, .75 */
-extern const qv_blend qv_over_rgb565; /* 25 and 15.5, 120 and 75; low byte first */
+extern const qv_blend qv_over_rgb565; /* 25 and 15.5, 120 and 85; low byte first */
 extern const qv_blend qv_over_rgba12; /* 6 bytes: 1.1, 4.5; of R the lowest bits first */
 extern const qv_blend qv_over_rgb16, qv_over_rgba16; /* 6 and 8 bytes: .6, .75 */
 extern const qv_blend qv_over_rgb24,

@@ -13,38 +13,23 @@ typedef ref_worst worst_of_cells[CELL_ROWS][CELL_COLUMNS][REF_STATES][REF_ROUNDI
 
 static void measure(worst_of_cells all)
 {
-    static const ref_effort dense = {1, 32};
     for (unsigned row = 0; row < CELL_ROWS; row++)
         for (unsigned column = 0; column < CELL_COLUMNS; column++) {
             const ref_slice_limits limits = cell_limits(row, column);
-            ref_blend_worst(all[row][column], &limits, &dense);
-        }
-}
-
-static void raise(ref_worst *to, const ref_worst *from)
-{
-    to->fog = fmax(to->fog, from->fog);
-    to->any = fmax(to->any, from->any);
-}
-
-/* What fewer slices, or those of a higher least opacity, already showed. */
-static void raise_cell(worst_of_cells all, unsigned row, unsigned column)
-{
-    for (unsigned state = 0; state < REF_STATES; state++)
-        for (unsigned r = 0; r < REF_ROUNDINGS; r++) {
-            ref_worst *to = &all[row][column][state][r];
-            if (column > 0)
-                raise(to, &all[row][column - 1][state][r]);
-            if (row + 1 < CELL_ROWS)
-                raise(to, &all[row + 1][column][state][r]);
+            const ref_effort effort = cell_effort(column);
+            ref_blend_worst(all[row][column], &limits, &effort);
         }
 }
 
 static void accumulate(worst_of_cells all)
 {
     for (unsigned row = CELL_ROWS; row-- > 0;)
-        for (unsigned column = 0; column < CELL_COLUMNS; column++)
-            raise_cell(all, row, column);
+        for (unsigned column = 0; column < CELL_COLUMNS; column++) {
+            if (column > 0)
+                cell_raise(all[row][column], all[row][column - 1]);
+            if (row + 1 < CELL_ROWS)
+                cell_raise(all[row][column], all[row + 1][column]);
+        }
 }
 
 static void print(worst_of_cells all)
