@@ -73,6 +73,14 @@ static void draw_states(small *s, const blend_model *of, uint32_t *seed)
     }
 }
 
+/* Makes the last pixel's red full, which then passes the opacity, if that is kept. */
+static void raise_colour(small *s, const blend_model *of)
+{
+    const unsigned last = PIXELS - 1;
+    s->states[last].state[0] = model_full(of, 0);
+    model_write(of, s->pixels + last * of->bytes, s->beside + last * of->beside, &s->states[last]);
+}
+
 static void expect_states(const small *s, const blend_model *of)
 {
     small model;
@@ -208,6 +216,7 @@ static void read_outs_show_states(void **state)
         const blend_model *of = &models[i / 8];
         const qv_buffer b = buffer_of(&s, of);
         draw_states(&s, of, &seed);
+        raise_colour(&s, of);
         assert_int_equal(qv_read_out(&image, &b, &context, &rect), QV_OK);
         expect_states(&s, of);
         for (int32_t j = 0; j < PIXELS; j++) {

@@ -362,6 +362,29 @@ static void closed_pixels_take_no_more(void **state)
     assert_true(closed > 10 && open > 10);
 }
 
+/* Exactly at the threshold, and a unit above. */
+static void the_threshold_is_closed(void **state)
+{
+    (void)state;
+    make_scene(&qv_weighted_rgba8, 2);
+    memset(f.voxels, 200, sizeof f.voxels);
+    f.scene.termination = 0x6000;
+    const qv_context context = fixture_context(&f);
+    const qv_rect centre = {FIXTURE_WIDTH / 2, FIXTURE_HEIGHT / 2, FIXTURE_WIDTH / 2 + 1,
+                            FIXTURE_HEIGHT / 2 + 1};
+    for (uint8_t above = 0; above < 2; above++) {
+        const uint8_t before[3] = {above, 0, 0x60};
+        uint8_t pixel[3] = {0, 0, 0}, transmittance[3] = {above, 0, 0x60};
+        const qv_buffer b = {.pixels = pixel,
+                             .beside = transmittance,
+                             .bytes = 3,
+                             .beside_bytes = 3,
+                             .blend = &qv_under_rgb888};
+        assert_int_equal(qv_slice(&b, &rounded, &context, &centre, 0), QV_OK);
+        assert_int_equal(memcmp(transmittance, before, 3) != 0, above);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -373,6 +396,7 @@ int main(void)
         cmocka_unit_test(rows_may_run_upwards),
         cmocka_unit_test(dither_goes_by_place_slice_and_frame),
         cmocka_unit_test(closed_pixels_take_no_more),
+        cmocka_unit_test(the_threshold_is_closed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
