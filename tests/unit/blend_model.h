@@ -9,7 +9,7 @@
 #include "blend.h"
 #include "qvol.h"
 
-/* The rules of section 54 of tests/SPEC.md. */
+/* The rules of section 59 of tests/SPEC.md. */
 typedef enum model_rule {
     RULE_DITHERED,  /* states of 8 to 16 bits */
     RULE_NARROW,    /* of 5 and 6 */
