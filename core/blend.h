@@ -47,9 +47,19 @@ static inline uint32_t qv_phase_shifted(const fx_period *period, uint32_t phase,
     return shifted < period->slices ? shifted : shifted - period->slices;
 }
 
-/* Shifts the moment of a slice to the pixel (x, y) of the dither's frame. */
-void qv_moment_shift(qv_moment *pixel, const qv_moment *slice, const qv_dither *dither, int32_t x,
-                     int32_t y);
+/* What they grow by from a pixel to that on its right. */
+static inline uint32_t qv_dither_step(const qv_dither *dither)
+{
+    return dither->still ? 0 : FX_LATTICE_X;
+}
+
+/* Shifts the moment of a slice to a pixel of dither value u; its technique is the same. */
+static inline void qv_moment_at(qv_moment *pixel, const qv_moment *slice, uint32_t u)
+{
+    pixel->u = u;
+    if (slice->technique)
+        pixel->phase = qv_phase_shifted(&slice->alpha.period, slice->phase, u - slice->u);
+}
 
 /* Finds the opacity of a moment with a technique, for a fragment in front of a pixel. */
 void qv_moment_opacity(qv_moment *moment, const qv_blend *blend, const uint8_t *pixel,

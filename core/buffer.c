@@ -31,18 +31,6 @@ qv_status qv_rect_check(const qv_rect *rect)
     return check_plane(&anywhere, 1, 0, 0, rect);
 }
 
-void qv_buffer_blend(const qv_buffer *buffer, const qv_fragment *fragment, const qv_moment *slice,
-                     const qv_dither *dither, const qv_rect *rect, int32_t x, int32_t y)
-{
-    unsigned column = (unsigned)(x - rect->left), line = (unsigned)(y - rect->top);
-    uint8_t *pixel = qv_buffer_pixel(buffer, column, line);
-    qv_moment moment = *slice;
-    qv_moment_shift(&moment, slice, dither, x, y);
-    if (moment.technique)
-        qv_moment_opacity(&moment, buffer->blend, pixel, fragment);
-    buffer->blend->blend(pixel, qv_buffer_beside(buffer, column, line), fragment, &moment);
-}
-
 /* The background, over nothing: associated, from levels with 17 fraction bits. */
 static void background_of(qv_fragment *fragment, const qv_context *context)
 {
@@ -70,19 +58,26 @@ qv_status qv_clear(const qv_buffer *buffer, const qv_context *context, const qv_
 qv_status qv_combine(const qv_buffer *behind, const qv_buffer *front, const qv_dither *dither,
                      const qv_rect *rect, int32_t slice)
 {
-    qv_moment moment;
+    qv_moment of_slice;
     qv_status status = qv_buffer_check(behind, rect);
     if (status == QV_OK)
         status = qv_buffer_check(front, rect);
     if (status == QV_OK)
-        status = qv_moment_of(&moment, dither, behind->blend, slice);
+        status = qv_moment_of(&of_slice, dither, behind->blend, slice);
     if (status != QV_OK)
         return status;
-    for (int32_t y = rect->top; y < rect->bottom; y++)
-        for (int32_t x = rect->left; x < rect->right; x++) {
+    qv_moment moment = of_slice;
+    uint32_t step = qv_dither_step(dither);
+    unsigned width = (unsigned)(rect->right - rect->left);
+    unsigned height = (unsigned)(rect->bottom - rect->top);
+    for (unsigned line = 0; line < height; line++) {
+        qv_place place = qv_place_of(behind, dither, &of_slice, rect, line);
+        for (unsigned column = 0; column < width; column++) {
             qv_fragment fragment;
-            qv_buffer_read(&fragment, front, (unsigned)(x - rect->left), (unsigned)(y - rect->top));
-            qv_buffer_blend(behind, &fragment, &moment, dither, rect, x, y);
+            qv_buffer_read(&fragment, front, column, line);
+            qv_place_blend(&place, behind->blend, &fragment, &moment, &of_slice);
+            qv_place_next(&place, behind->blend, step);
         }
+    }
     return QV_OK;
 }

@@ -36,8 +36,43 @@ static inline void qv_buffer_read(qv_fragment *fragment, const qv_buffer *buffer
                         qv_buffer_beside(buffer, column, line));
 }
 
-/* Blends a fragment into a pixel of a rectangle, in the slice's moment. */
-void qv_buffer_blend(const qv_buffer *buffer, const qv_fragment *fragment, const qv_moment *slice,
-                     const qv_dither *dither, const qv_rect *rect, int32_t x, int32_t y);
+/* ---- Rows ------------------------------------------------------------------- */
+
+/* A pixel of a row that is blended. */
+typedef struct qv_place {
+    uint8_t *pixel, *beside; /* where nothing lies beside it, the pixel again */
+    uint32_t u;              /* its dither value */
+} qv_place;
+
+/* The first of a rectangle's line. */
+static inline qv_place qv_place_of(const qv_buffer *buffer, const qv_dither *dither,
+                                   const qv_moment *slice, const qv_rect *rect, unsigned line)
+{
+    uint32_t shift = qv_dither_shift(dither, rect->left, rect->top + (int32_t)line);
+    qv_place place = {qv_buffer_pixel(buffer, 0, line), qv_buffer_beside(buffer, 0, line),
+                      slice->u + shift};
+    if (buffer->blend->beside == 0)
+        place.beside = place.pixel;
+    return place;
+}
+
+/* To the right, where dither values are more by a step. */
+static inline void qv_place_next(qv_place *place, const qv_blend *blend, uint32_t step)
+{
+    place->pixel += blend->bytes;
+    place->beside += blend->beside;
+    place->u += step;
+}
+
+/* Blends a fragment into a pixel, whose moment is made of that of the slice. */
+static inline void qv_place_blend(const qv_place *place, const qv_blend *blend,
+                                  const qv_fragment *fragment, qv_moment *moment,
+                                  const qv_moment *slice)
+{
+    qv_moment_at(moment, slice, place->u);
+    if (slice->technique)
+        qv_moment_opacity(moment, blend, place->pixel, fragment);
+    blend->blend(place->pixel, place->beside, fragment, moment);
+}
 
 #endif /* QV_BUFFER_H */

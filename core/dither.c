@@ -134,12 +134,3 @@ uint32_t qv_dither_shift(const qv_dither *dither, int32_t x, int32_t y)
         return fx_dither_at(0, 0, 0, dither->frame);
     return fx_dither_at(0, (uint32_t)x, (uint32_t)y, dither->frame);
 }
-
-void qv_moment_shift(qv_moment *pixel, const qv_moment *slice, const qv_dither *dither, int32_t x,
-                     int32_t y)
-{
-    uint32_t shift = qv_dither_shift(dither, x, y);
-    pixel->u = slice->u + shift;
-    if (slice->technique)
-        pixel->phase = qv_phase_shifted(&slice->alpha.period, slice->phase, shift);
-}

@@ -40,31 +40,34 @@ static int see(qv_fragment *fragment, const qv_context *context, int32_t x, int3
 }
 
 /* Whether nothing behind a pixel can be seen, as far as the scene's termination goes. */
-static int closed(const qv_buffer *buffer, const qv_context *context, unsigned column,
-                  unsigned line)
+static int closed(const qv_place *place, const qv_blend *blend, const qv_context *context)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 8; /* Q0.16 to Q0.24 */
-    return buffer->blend->kind == QV_UNDER &&
-           qv_bytes_read(qv_buffer_beside(buffer, column, line), 3) <= enough;
+    return blend->kind == QV_UNDER && qv_bytes_read(place->beside, 3) <= enough;
 }
 
 qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_context *context,
                    const qv_rect *rect, int32_t slice)
 {
-    qv_moment moment;
+    qv_moment of_slice;
     qv_status status = context ? qv_buffer_check(buffer, rect) : QV_ERROR_NULL;
     if (status == QV_OK)
-        status = qv_moment_of(&moment, dither, buffer->blend, slice);
+        status = qv_moment_of(&of_slice, dither, buffer->blend, slice);
     if (status != QV_OK)
         return status;
-    for (int32_t y = rect->top; y < rect->bottom; y++)
+    const qv_blend *blend = buffer->blend;
+    qv_moment moment = of_slice;
+    uint32_t step = qv_dither_step(dither);
+    for (int32_t y = rect->top; y < rect->bottom; y++) {
+        qv_place place = qv_place_of(buffer, dither, &of_slice, rect, (unsigned)(y - rect->top));
         for (int32_t x = rect->left; x < rect->right; x++) {
             qv_fragment fragment = {{0, 0, 0}, 0};
-            if (closed(buffer, context, (unsigned)(x - rect->left), (unsigned)(y - rect->top)))
-                continue;
-            if (see(&fragment, context, x, y, slice) || buffer->blend->kind == QV_HAND_OUT)
-                qv_buffer_blend(buffer, &fragment, &moment, dither, rect, x, y);
+            if (!closed(&place, blend, context) &&
+                (see(&fragment, context, x, y, slice) || blend->kind == QV_HAND_OUT))
+                qv_place_blend(&place, blend, &fragment, &moment, &of_slice);
+            qv_place_next(&place, blend, step);
         }
+    }
     return QV_OK;
 }
 

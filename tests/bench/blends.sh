@@ -60,7 +60,7 @@ flash() {
 symbols() {
     case $1 in
     by_hand) ;;
-    dither_*) echo qv_moment_shift ;;
+    dither_shift) echo qv_dither_shift ;;
     over_* | under_*) echo "qv_$1" ;;
     *) echo "qv_${1% *} qv_technique_${1#* } qv_moment_opacity" ;;
     esac
@@ -91,9 +91,10 @@ make -s TARGET=cortex-m0 OPTIMISE=-Os BUILD="$BUILD" lib >&2
 cat <<END
 Blending a slice into a frame buffer: instructions a pixel
 ($(arm-none-eabi-gcc --version | head -n 1), $(avr-gcc --version | head -n 1); $OPTIMISE),
-the loop, its call and the step of the dither value included; by_hand is equation 1 in 8 bits
-as one writes it by hand, in a loop of its own. Bytes of RAM are those of a pixel and beside it;
-of flash, code + tables on a Cortex-M0 at -Os.
+loop, dither value and call included; by_hand is equation 1 in 8 bits as one writes it by hand,
+in a loop of its own; dither_shift the dither value of a pixel that is not reached along a row.
+Bytes of RAM are those of a pixel and beside it; of flash, code + tables on a Cortex-M0 at -Os.
+A dither table takes, in flash or RAM, 256 bytes a slice of its period, with colours 1024.
 
 | blend | M0 | M3 | of by_hand | AVR | AVR cycles | RAM | flash |
 |---|---|---|---|---|---|---|---|

@@ -1,22 +1,21 @@
 /*
  * blends_device.c - instructions of each blend: one measured region (port/measure.h) for
- * each, PIXELS pixels of SLICES slices, blended through the descriptor as qv_slice does. The
- * loop, its call and the step of the dither value from pixel to pixel are included. The first
- * region is the blend that an engineer would write by hand for 8 bits, the next two are
- * the dither value of a pixel.
+ * each, PIXELS pixels of SLICES slices, blended as qv_slice does it: with the loop, the dither
+ * value and the call. The first region is the blend that an engineer would write by hand for 8
+ * bits, the second the dither value of a pixel.
  *
  * Prints a line for each: name, bytes of a pixel and beside it, and a checksum of the results,
  * which is the same on every machine; a bar between them.
  */
-#include "blend.h"
+#include "buffer.h"
 #include "console.h"
 #include "measure.h"
 
-enum { PIXELS = 32, SLICES = 16, FRAGMENTS = PIXELS + SLICES, CALLS = PIXELS * SLICES };
-enum { PIXEL_BYTES_MOST = 9, BESIDE_BYTES_MOST = 4 };
+enum { PIXELS = 128, SLICES = 4, FRAGMENTS = PIXELS + SLICES };
+enum { PIXEL_BYTES_MOST = 12, BESIDE_BYTES_MOST = 4 };
 
 static qv_fragment fragments[FRAGMENTS];
-static uint8_t plain_fragments[FRAGMENTS][4]; /* the same, as bytes: R, G, B not weighted, A */
+static uint8_t plain_fragments[FRAGMENTS * 4]; /* the same, as bytes: R, G, B not weighted, A */
 static uint8_t pixels[PIXELS * PIXEL_BYTES_MOST];
 static uint8_t beside[PIXELS * BESIDE_BYTES_MOST];
 
@@ -25,13 +24,13 @@ static void make_fragments(void)
 {
     for (uint32_t i = 0; i < FRAGMENTS; i++) {
         uint32_t opacity = ((fx_hash(i) >> 8) + 0xFF000000u) >> (i & 7u);
+        uint8_t *plain = plain_fragments + i * 4;
         for (unsigned c = 0; c < 3; c++) {
-            plain_fragments[i][c] = (uint8_t)(fx_hash(i + FRAGMENTS * (c + 1u)) >> 24);
-            fragments[i].light[c] =
-                fx_light_of_colour(plain_fragments[i][c], fx_opacity_q23(opacity));
+            plain[c] = (uint8_t)(fx_hash(i + FRAGMENTS * (c + 1u)) >> 24);
+            fragments[i].light[c] = fx_light_of_colour(plain[c], fx_opacity_q23(opacity));
         }
         fragments[i].opacity = opacity;
-        plain_fragments[i][3] = (uint8_t)(opacity >> 24);
+        plain[3] = (uint8_t)(opacity >> 24);
     }
 }
 
@@ -79,12 +78,27 @@ static void measure_by_hand(void)
 {
     measure_begin();
     for (unsigned slice = 0; slice < SLICES; slice++)
-        blend_by_hand(pixels, plain_fragments[slice], PIXELS);
+        blend_by_hand(pixels, plain_fragments + slice * 4, PIXELS);
     measure_end();
     report("by_hand", 3, 0, checksum(pixels, PIXELS * 3));
 }
 
 /* ---- Dither values ---------------------------------------------------------- */
+
+/* Of a pixel anywhere; along a row it grows by a step, which the blends below include. */
+static void measure_dither(void)
+{
+    const qv_dither dither = {.sequence = qv_sequence_blocks, .frame = 1};
+    uint32_t sum = 0;
+    measure_begin();
+    for (int32_t y = 0; y < SLICES; y++)
+        for (int32_t x = 0; x < PIXELS; x++)
+            sum += qv_dither_shift(&dither, x, y);
+    measure_end();
+    report("dither_shift", 0, 0, sum);
+}
+
+/* ---- Blends ----------------------------------------------------------------- */
 
 static qv_moment moment_of(const qv_dither *dither, const qv_blend *blend, unsigned slice)
 {
@@ -94,35 +108,20 @@ static qv_moment moment_of(const qv_dither *dither, const qv_blend *blend, unsig
     return moment;
 }
 
-static void measure_moments(const char *name, const qv_blend *blend)
+/* A slice of one row, as qv_slice and qv_combine go along it; a function of its own, so that
+   what surrounds it does not cost it registers. */
+static __attribute__((noinline)) void blend_slice(const qv_buffer *row, const qv_dither *dither,
+                                                  const qv_moment *slice,
+                                                  const qv_fragment *fragment)
 {
-    const qv_dither dither = {
-        .sequence = qv_sequence_blocks, .technique = &qv_technique_ordered, .period = 16};
-    const qv_moment slice = moment_of(&dither, blend, 0);
-    qv_moment pixel = slice;
-    uint32_t sum = 0;
-    measure_begin();
-    for (int32_t y = 0; y < SLICES; y++)
-        for (int32_t x = 0; x < PIXELS; x++) {
-            qv_moment_shift(&pixel, &slice, &dither, x, y);
-            sum += pixel.u;
-        }
-    measure_end();
-    report(name, 0, 0, sum);
-}
-
-/* ---- Blends ----------------------------------------------------------------- */
-
-static void blend_row(const qv_blend *blend, const qv_fragment *fragment, qv_moment *moment)
-{
-    uint8_t *pixel = pixels, *near = beside;
+    const qv_rect rect = {0, 0, PIXELS, 1};
+    const qv_blend *blend = row->blend;
+    qv_place place = qv_place_of(row, dither, slice, &rect, 0);
+    qv_moment moment = *slice;
+    uint32_t step = qv_dither_step(dither);
     for (unsigned x = 0; x < PIXELS; x++) {
-        if (moment->technique)
-            qv_moment_opacity(moment, blend, pixel, fragment);
-        blend->blend(pixel, near, fragment++, moment);
-        moment->u += FX_LATTICE_X;
-        pixel += blend->bytes;
-        near += blend->beside;
+        qv_place_blend(&place, blend, fragment++, &moment, slice);
+        qv_place_next(&place, blend, step);
     }
 }
 
@@ -130,6 +129,7 @@ static void measure_blend(const char *name, const qv_blend *blend, const qv_tech
 {
     const qv_fragment black = {{0, 0, 0}, 0};
     const qv_dither dither = {.sequence = qv_sequence_blocks, .technique = technique, .period = 16};
+    const qv_buffer row = {pixels, beside, sizeof pixels, sizeof beside, 0, 0, blend};
     qv_moment moments[SLICES];
     for (unsigned slice = 0; slice < SLICES; slice++)
         moments[slice] = moment_of(&dither, blend, slice);
@@ -137,7 +137,7 @@ static void measure_blend(const char *name, const qv_blend *blend, const qv_tech
         blend->clear(pixels + x * blend->bytes, beside + x * blend->beside, &black);
     measure_begin();
     for (unsigned slice = 0; slice < SLICES; slice++)
-        blend_row(blend, fragments + slice, &moments[slice]);
+        blend_slice(&row, &dither, &moments[slice], fragments + slice);
     measure_end();
     report(name, blend->bytes, blend->beside,
            checksum(pixels, (unsigned)PIXELS * blend->bytes) +
@@ -178,8 +178,7 @@ int main(void)
     };
     make_fragments();
     measure_by_hand();
-    measure_moments("dither_value", &qv_over_rgb888);
-    measure_moments("dither_phase", &qv_hardware_rgb888);
+    measure_dither();
     for (unsigned i = 0; i < sizeof subjects / sizeof *subjects; i++)
         measure_blend(subjects[i].name, subjects[i].blend, subjects[i].technique);
     return 0;

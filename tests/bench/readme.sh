@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes the figures of README.md between their markers: sizes and speeds.
+# Writes the figures of README.md between their markers: sizes, speeds and costs of blends.
 set -eu
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
@@ -17,5 +17,7 @@ replace() {
 
 tests/static/size.sh --readme >"$work/sizes"
 tests/bench/bench.sh >"$work/speeds"
+tests/bench/blends.sh >"$work/blends"
 replace sizes
 replace speeds
+replace blends

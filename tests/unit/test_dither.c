@@ -110,7 +110,7 @@ static void shifts_of_pixels(void **state)
         dither.still = turn % 2 != 0;
         const qv_moment slice = moment_of(&dither, &qv_hardware_rgb888, (int32_t)turn - 10000);
         qv_moment pixel = slice;
-        qv_moment_shift(&pixel, &slice, &dither, x, y);
+        qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(&dither, x, y));
         uint32_t shift = golden * dither.frame;
         if (!dither.still)
             shift += lattice_x * (uint32_t)x + lattice_y * (uint32_t)y;
@@ -132,7 +132,7 @@ static void blends_of_states_have_no_phase(void **state)
             qv_moment pixel = slice;
             assert_null(slice.technique);
             pixel.phase = 77;
-            qv_moment_shift(&pixel, &slice, &dither, 1, 0);
+            qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(&dither, 1, 0));
             assert_int_equal(pixel.phase, 77);
             assert_int_equal(pixel.u, golden * (FIRST_NUMBER + 100) + lattice_x);
         }
@@ -149,7 +149,7 @@ static void pixels_spread_over_the_period(void **state)
     for (int32_t y = 0; y < 70; y++)
         for (int32_t x = 0; x < 70; x++) {
             qv_moment pixel = slice;
-            qv_moment_shift(&pixel, &slice, &dither, x, y);
+            qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(&dither, x, y));
             count[pixel.phase]++;
         }
     for (unsigned i = 0; i < 7; i++)
