@@ -124,6 +124,10 @@ for mode in nearest weighted extinction; do
     IN=in_24x20x16_uint8.raw
 done
 slices a.pam --slices 77 --framebuffer 24 --json=a.json
+slices a.pam --slices 78 --framebuffer 24 --json=b.json
+check "slices lie evenly about the centre of the box" "$PYTHON" -c '
+import json
+assert [json.load(open(name))["sampling"]["phase_q16"] for name in ("a.json", "b.json")] == [0, 32768]'
 check "77 slices are 77 steps of the box's depth" "$PYTHON" -c '
 import json
 report = json.load(open("a.json"))
@@ -144,6 +148,14 @@ for bricks in 1x1x1 2x1x1 1x3x1 1x1x4 3x2x2; do
 done
 slices a.pam --sampling nearest --framebuffer 24 --bricks 2x2x2 --chunk 5
 alike "chunks of bricks" rays.pam a.pam
+for options in "--dither none" "--dither random --slope .5" "--dither ordered --slope .5" "--dither bump --slope .5" \
+    "--dither bump" "--dither rounding" "--framebuffer 12 --dither none" "--framebuffer 24"; do
+    # shellcheck disable=SC2086
+    slices a.raw --tf bone --background transparent $options --as raw
+    # shellcheck disable=SC2086
+    slices b.raw --tf bone --background transparent $options --as raw --bricks 1x1x1
+    check "a picture of one brick is the brick: $options" cmp a.raw b.raw
+done
 for view in "--azimuth 200" "--azimuth 300 --elevation -40" "--elevation 90" "--perspective 40" \
     "--perspective 120 --zoom 3"; do
     # shellcheck disable=SC2086
