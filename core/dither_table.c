@@ -53,10 +53,9 @@ static void write_value(uint8_t *to, uint8_t entry_bytes, const uint16_t rgba[4]
                         const fx_alpha *alpha, uint16_t value)
 {
     uint32_t phase = fx_phase(&alpha->period, value);
-    to += (size_t)value * entry_bytes;
     for (uint32_t place = 0; place < alpha->period.slices; place++) {
-        write_entry(to, entry_bytes, rgba, alpha, phase);
-        to += (size_t)QV_PALETTE_ENTRIES * entry_bytes;
+        size_t entry = (size_t)QV_PALETTE_ENTRIES * place + value;
+        write_entry(to + entry * entry_bytes, entry_bytes, rgba, alpha, phase);
         phase = phase + 1u < alpha->period.slices ? phase + 1u : 0;
     }
 }
