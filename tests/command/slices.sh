@@ -221,6 +221,9 @@ with "" --still
 with "" --chunk 4
 with "" --bricks 1x2x1
 with "" --order front-to-back
+slices a.pam --dither bump
+slices b.pam --dither rounding
+check "opacities that go by what a grey pixel holds are as exact as dithered rounding" cmp a.pam b.pam
 slices a.pam --dither ordered --period 32 --slope 1 --cutoff 255 --frame 0
 slices b.pam --dither ordered
 check "the defaults of alpha dithering" cmp a.pam b.pam
