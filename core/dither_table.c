@@ -54,7 +54,7 @@ static void write_value(uint8_t *to, uint8_t entry_bytes, const uint16_t rgba[4]
 {
     uint32_t phase = fx_phase(&alpha->period, value);
     for (uint32_t place = 0; place < alpha->period.slices; place++) {
-        size_t entry = (size_t)QV_PALETTE_ENTRIES * place + value;
+        size_t entry = (size_t)(QV_PALETTE_ENTRIES * place + value); /* below 2^14 */
         write_entry(to + entry * entry_bytes, entry_bytes, rgba, alpha, phase);
         phase = phase + 1u < alpha->period.slices ? phase + 1u : 0;
     }
