@@ -65,14 +65,12 @@ static void expect_blended(uint8_t *pixel, const uint8_t entry[4], unsigned chan
         pixel[c] = (uint8_t)(entry[c] + (2 * pixel[c] * (255u - entry[3]) + 255) / 510);
 }
 
-/* All slices of a view, and some beyond. */
-static void check_view(qv_angle field_of_view)
+/* All slices of a scene, and some beyond. */
+static void check_scene(const fixture *f)
 {
     fixture_pixels seen, handed, blended, expected;
-    fixture f;
-    make_scene(&f, field_of_view);
     const qv_dither_table table = make_table();
-    const qv_context context = fixture_context(&f);
+    const qv_context context = fixture_context(f);
     const qv_buffer out = buffer_of(handed, &qv_hand_out_rgba8888);
     const qv_buffer over = buffer_of(blended, &qv_hardware_rgba8888);
     unsigned covered = 0;
@@ -81,7 +79,7 @@ static void check_view(qv_angle field_of_view)
     memset(expected, 40, sizeof expected);
     assert_int_equal(qv_slice_range(&first, &end, &context, &fixture_frame), QV_OK);
     for (int32_t k = first - 3; k < end + 3; k++) {
-        see_values(seen, &f, k);
+        see_values(seen, f, k);
         assert_int_equal(qv_slice_table(&out, &table, &dither, &context, &fixture_frame, k), QV_OK);
         assert_int_equal(qv_slice_table(&over, &table, &dither, &context, &fixture_frame, k),
                          QV_OK);
@@ -99,14 +97,40 @@ static void check_view(qv_angle field_of_view)
 
 static void orthographic(void **state)
 {
+    fixture f;
     (void)state;
-    check_view(0);
+    make_scene(&f, 0);
+    check_scene(&f);
 }
 
 static void perspective(void **state)
 {
+    fixture f;
     (void)state;
-    check_view(QUARTER_TURN / 2);
+    make_scene(&f, QUARTER_TURN / 2);
+    check_scene(&f);
+}
+
+/* Samples that lie on faces of the box and of voxels. */
+static void along_an_axis(void **state)
+{
+    const qv_view view = fixture_view(0, 0, 0);
+    fixture f;
+    (void)state;
+    make_scene(&f, 0);
+    assert_int_equal(qv_orthographic(&f.scene.camera, &f.scene.volume, &view), QV_OK);
+    check_scene(&f);
+}
+
+/* What lies behind an eye within the volume is not seen. */
+static void from_within(void **state)
+{
+    fixture f;
+    (void)state;
+    make_scene(&f, QUARTER_TURN / 2);
+    for (unsigned axis = 0; axis < 3; axis++)
+        f.scene.camera.origin[axis] = (qv_coord)f.scene.volume.size[axis] << 31;
+    check_scene(&f);
 }
 
 /* Three channels; a rectangle apart is a part of the frame. */
@@ -234,6 +258,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(orthographic),          cmocka_unit_test(perspective),
+        cmocka_unit_test(along_an_axis),         cmocka_unit_test(from_within),
         cmocka_unit_test(rgb_and_parts),         cmocka_unit_test(still_pixels_share_a_place),
         cmocka_unit_test(bad_calls_are_refused),
     };
