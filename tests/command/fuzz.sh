@@ -18,7 +18,7 @@ for command in "info $IN" "render $IN -o a.pam --shade --mask $IN --mask-tf fog 
     "render $IN -o a.raw --storage indexed8" "compare a.pam a.pam -o d.pam" "classify $IN -o a.h --fit 1500" \
     "classify $IN -o a.bin --reduce 2x1x3" "classify $IN -o a.bin --storage rgbt8 --mask $IN --mask-tf fog --json" \
     "render $IN -o a.raw --level auto --json=a.json" "pyramid $IN -o a.h --storage indexed8 --extinction 9" \
-    "pyramid $IN -o a.bin --storage rgba8 --json" \
+    "pyramid $IN -o a.bin --storage rgba8 --json" "classify $IN -o a.h --dither-table colour --json=a.json" \
     "render $IN -o a.raw --compositing slices --slices 30 --bricks 2x3x1 --chunk 3 --dither feedback --json=a.json" \
     "render $IN -o a.raw --compositing slices --perspective 90 --framebuffer 16 --order front-to-back" \
     "render a.bin --dims 12x10x8 --type rgba8 --level 1.5 --sampling bspline-extinction -o a.raw"; do
