@@ -59,7 +59,7 @@ flash() {
 # symbols NAME: what a program names for it.
 symbols() {
     case $1 in
-    by_hand) ;;
+    by_hand*) ;;
     dither_shift) echo qv_dither_shift ;;
     over_* | under_*) echo "qv_$1" ;;
     *) echo "qv_${1% *} qv_technique_${1#* } qv_moment_opacity" ;;
@@ -70,7 +70,7 @@ row() { # row NAME
     named=$(symbols "$1")
     # shellcheck disable=SC2086 # several symbols
     bytes=$([ -z "$named" ] && echo - || flash $named)
-    ratio=$(awk -v cost="$(figure cortex-m3 "$1" 2)" -v base="$(figure cortex-m3 by_hand 2)" \
+    ratio=$(awk -v cost="$(figure cortex-m3 "$1" 2)" -v base="$(figure cortex-m3 by_hand_rgb 2)" \
         'BEGIN { printf "%.2f", cost / base }')
     printf '| %s | %.0f | %.0f | %s | %.0f | %s | %s | %s |\n' "$1" \
         "$(figure cortex-m0 "$1" 2)" "$(figure cortex-m3 "$1" 2)" "$ratio" \
@@ -91,12 +91,13 @@ make -s TARGET=cortex-m0 OPTIMISE=-Os BUILD="$BUILD" lib >&2
 cat <<END
 Blending a slice into a frame buffer: instructions a pixel
 ($(arm-none-eabi-gcc --version | head -n 1), $(avr-gcc --version | head -n 1); $OPTIMISE),
-loop, dither value and call included; by_hand is equation 1 in 8 bits as one writes it by hand,
-in a loop of its own; dither_shift the dither value of a pixel that is not reached along a row.
-Bytes of RAM are those of a pixel and beside it; of flash, code + tables on a Cortex-M0 at -Os.
-A dither table takes, in flash or RAM, 256 bytes a slice of its period, with colours 1024.
+loop, dither value and call included. by_hand is what one writes by hand for 8 bits, equation 1
+(rgba: 6 and 7) in a loop of its own; dither_shift the dither value of a pixel anywhere, which
+along a row only grows by a step. Bytes of RAM are those of a pixel and beside it; of flash, code
+and tables on a Cortex-M0 at -Os. A dither table takes, in flash or RAM, 256 bytes a slice of its
+period, with colours 1024.
 
-| blend | M0 | M3 | of by_hand | AVR | AVR cycles | RAM | flash |
+| blend | M0 | M3 | of by_hand_rgb | AVR | AVR cycles | RAM | flash |
 |---|---|---|---|---|---|---|---|
 END
 cut -d '|' -f 1 "$work/results" | while read -r name; do

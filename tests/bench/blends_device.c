@@ -1,8 +1,8 @@
 /*
  * blends_device.c - instructions of each blend: one measured region (port/measure.h) for
  * each, PIXELS pixels of SLICES slices, blended as qv_slice does it: with the loop, the dither
- * value and the call. The first region is the blend that an engineer would write by hand for 8
- * bits, the second the dither value of a pixel.
+ * value and the call. The first two are the blends that an engineer would write by hand for 8
+ * bits, the third is the dither value of a pixel.
  *
  * Prints a line for each: name, bytes of a pixel and beside it, and a checksum of the results,
  * which is the same on every machine; a bar between them.
@@ -74,13 +74,30 @@ static void blend_by_hand(uint8_t *to, const uint8_t *from, unsigned count)
     }
 }
 
+/* The same with accumulated opacity, equations 6 and 7; R, G, B weighted by A. */
+static void blend_by_hand_rgba(uint8_t *to, const uint8_t *from, unsigned count)
+{
+    for (; count != 0; count--, to += 4, from += 4) {
+        uint32_t rest = 255u - from[3];
+        to[0] = (uint8_t)(from[0] + mixed(to[0], 0, 0, rest));
+        to[1] = (uint8_t)(from[1] + mixed(to[1], 0, 0, rest));
+        to[2] = (uint8_t)(from[2] + mixed(to[2], 0, 0, rest));
+        to[3] = (uint8_t)(from[3] + mixed(to[3], 0, 0, rest));
+    }
+}
+
 static void measure_by_hand(void)
 {
     measure_begin();
     for (unsigned slice = 0; slice < SLICES; slice++)
         blend_by_hand(pixels, plain_fragments + slice * 4, PIXELS);
     measure_end();
-    report("by_hand", 3, 0, checksum(pixels, PIXELS * 3));
+    report("by_hand_rgb", 3, 0, checksum(pixels, PIXELS * 3));
+    measure_begin();
+    for (unsigned slice = 0; slice < SLICES; slice++)
+        blend_by_hand_rgba(pixels, plain_fragments + slice * 4, PIXELS);
+    measure_end();
+    report("by_hand_rgba", 4, 0, checksum(pixels, PIXELS * 4));
 }
 
 /* ---- Dither values ---------------------------------------------------------- */
