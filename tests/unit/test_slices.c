@@ -181,12 +181,14 @@ static void expect_picture(const qv_context *context, const qv_blend *blend, int
     }
 }
 
-/* Without the opacity, black is behind all. */
+/* Without the opacity, black is behind all. Of pyramids, the volume and what of level 1 is blended
+   with it: coarser levels have longer stretches, which slices sample step by step. */
 static void expect_pictures(const qv_sampling *sampling, uint32_t seed)
 {
     static const uint8_t background[4] = {200, 10, 90, 128};
     (void)make_scene(sampling, seed);
     memcpy(f.scene.background, background, sizeof background);
+    f.scene.level = sampling->by_length ? (uint16_t)(50 * seed) : 0;
     const qv_context context = fixture_context(&f);
     expect_picture(&context, &qv_over_rgba24, 1);
     expect_picture(&context, &qv_over_rgb24, 1);

@@ -196,11 +196,12 @@ static void S91_light_of_a_slice(void **state)
                      {{2147418112, 2147418049, 0}, 0, 0, 0},
                      {{2139095040, 2139094976, 0}, 0xFFFFFFFFu}},
                     {QV_READ_OUT_CONVERTED, {{1, 0, 7}, 0x7FFFFFFF, 0, 0}, {{2, 0, 14}, 2}}};
+    qv_sampling sampling = {0, march_given, 0, QV_STORAGE_RGBA8, 0};
     qv_context context = context_of(&qv_weighted_rgba8, 0);
     (void)state;
+    context.scene.sampling = &sampling;
     for (unsigned i = 0; i < COUNT(examples); i++) {
-        const qv_sampling sampling = {0, march_given, examples[i].read_out, QV_STORAGE_RGBA8, 0};
-        context.scene.sampling = &sampling;
+        sampling.read_out = examples[i].read_out;
         given = examples[i].light;
         assert_true(see(&context, 0));
         assert_memory_equal(&noted, &examples[i].fragment, sizeof noted);
