@@ -844,8 +844,8 @@ uint32_t qv_dither_table_bytes(uint8_t period, uint8_t entry_bytes);
  * Builds the entries of first <= value < end of a table at `to`, which holds all of it. Hits are
  * ordered; each value's pattern is turned by 1 against that of the value below, so that equal
  * neighbours never hit together while no more than half of the slices hit. Of the dither, period,
- * cutoff and slope[0] are read. Some 60 instructions an entry. Returns QV_OK or QV_ERROR_NULL,
- * _SIZE (entry_bytes, or values), _DITHER, _BUFFER.
+ * cutoff and slope[0] are read. Some 70 instructions an entry, 105 with colours. Returns QV_OK or
+ * QV_ERROR_NULL, _SIZE (entry_bytes, or values), _DITHER, _BUFFER.
  */
 qv_status qv_dither_table_build(void *to, size_t bytes, uint8_t entry_bytes,
                                 const qv_dither *dither, const qv_transfer *transfer,
