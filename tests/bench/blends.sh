@@ -60,7 +60,6 @@ flash() {
 symbols() {
     case $1 in
     by_hand*) ;;
-    dither_shift) echo qv_dither_shift ;;
     over_* | under_*) echo "qv_$1" ;;
     *) echo "qv_${1% *} qv_technique_${1#* } qv_moment_opacity" ;;
     esac
@@ -92,8 +91,7 @@ cat <<END
 Blending a slice into a frame buffer: instructions a pixel
 ($(arm-none-eabi-gcc --version | head -n 1), $(avr-gcc --version | head -n 1); $OPTIMISE),
 loop, dither value and call included. by_hand is what one writes by hand for 8 bits, equation 1
-(rgba: 6 and 7) in a loop of its own; dither_shift the dither value of a pixel anywhere, which
-along a row only grows by a step. Bytes of RAM are those of a pixel and beside it; of flash, code
+(rgba: 6 and 7) in a loop of its own. Bytes of RAM are those of a pixel and beside it; of flash, code
 and tables on a Cortex-M0 at -Os. A dither table takes, in flash or RAM, 256 bytes a slice of its
 period, with colours 1024.
 

@@ -100,20 +100,6 @@ static void measure_by_hand(void)
     report("by_hand_rgba", 4, 0, checksum(pixels, PIXELS * 4));
 }
 
-/* ---- Dither values ---------------------------------------------------------- */
-
-/* Of a pixel anywhere; along a row it grows by a step, which the blends below include. */
-static void measure_dither(void)
-{
-    uint32_t sum = 0;
-    measure_begin();
-    for (int32_t y = 0; y < SLICES; y++)
-        for (int32_t x = 0; x < PIXELS; x++)
-            sum += qv_dither_shift(1, x, y);
-    measure_end();
-    report("dither_shift", 0, 0, sum);
-}
-
 /* ---- Blends ----------------------------------------------------------------- */
 
 static qv_moment moment_of(const qv_dither *dither, const qv_blend *blend, unsigned slice)
@@ -193,7 +179,6 @@ int main(void)
     };
     make_fragments();
     measure_by_hand();
-    measure_dither();
     for (unsigned i = 0; i < sizeof subjects / sizeof *subjects; i++)
         measure_blend(subjects[i].name, subjects[i].blend, subjects[i].technique);
     return 0;
