@@ -74,7 +74,9 @@ static void report_sampling(struct json *json, const qv_scene *scene, const stru
         json_integer(json, "level_q8", scene->level);
         json_integer(json, "level_distance", scene->level_distance);
         json_text(json, "pieces_of_levels",
-                  "2^l steps long on level l, counted from the border before k = 0");
+                  settings->slices.wanted
+                      ? "one step long on every level"
+                      : "2^l steps long on level l, counted from the border before k = 0");
     } else {
         json_null(json, "level_q8");
     }

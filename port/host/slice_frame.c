@@ -108,6 +108,7 @@ static bool draw_volume(const qv_buffer *buffer, struct tile *tile, const qv_con
     return true;
 }
 
+/* Like slices they are counted from the nearest on. */
 static void draw_bricks(struct tile *tile)
 {
     const struct slicing *slicing = tile->slicing;
@@ -120,7 +121,7 @@ static void draw_bricks(struct tile *tile)
         check(qv_clear(&tile->brick, &tile->clear, &tile->rect));
         if (draw_volume(&tile->brick, tile, &context)) {
             check(qv_combine(&tile->picture, &tile->brick, &slicing->joining, &tile->rect,
-                             (int32_t)number));
+                             (int32_t)(bricks - 1 - number)));
         }
     }
 }

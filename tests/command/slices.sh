@@ -226,7 +226,7 @@ for bits in 12 16 24 565; do
 done
 for sequence in golden hash; do
     with "" --sequence $sequence
-    with "--dither feedback" --sequence $sequence
+    with "--dither feedback --residual 4" --sequence $sequence
 done
 with "--dither random" --sequence blocks
 with "--dither bump" --sequence golden
