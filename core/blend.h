@@ -8,7 +8,7 @@
 
 #include "fx_alpha.h"
 #include "fx_blend.h"
-#include "qvol.h"
+#include "ray.h"
 
 /* What a slice, or a picture that stands for slices, shows in one pixel. */
 typedef struct qv_fragment {
@@ -23,6 +23,7 @@ typedef struct qv_moment {
     fx_alpha alpha;                /* what equation 9 goes by */
     const qv_technique *technique; /* null for blends that want none */
     uint32_t opacity;              /* what it makes of the fragment's: 0 .. 255 */
+    int spread;                    /* whether dither differs from pixel to pixel */
 } qv_moment;
 
 /* The families of blends. */
@@ -33,11 +34,15 @@ enum { QV_OVER = 1, QV_UNDER = 2, QV_HARDWARE = 3, QV_HAND_OUT = 4 };
 qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blend *blend,
                        int32_t slice);
 
+/* The number that dither knows a slice by. It rises in the order of blending, for which the
+   sequences are made: numbered the other way, the seams of bricks are deeper. */
+static inline uint32_t qv_slice_number(int32_t slice, int front_to_back)
+{
+    return (uint32_t)(front_to_back ? QV_GRID_LIMIT + slice : QV_GRID_LIMIT - slice);
+}
+
 /* What equation 9 goes by. Nothing is written on error: QV_ERROR_DITHER. */
 qv_status qv_alpha_of(fx_alpha *alpha, const qv_dither *dither);
-
-/* What a pixel's dither values are more than those of a slice. */
-uint32_t qv_dither_shift(const qv_dither *dither, int32_t x, int32_t y);
 
 /* The phase of a pixel whose dither values are shifted: over all shifts each as often as any
    other, but for 2^-16. */
@@ -47,10 +52,16 @@ static inline uint32_t qv_phase_shifted(const fx_period *period, uint32_t phase,
     return shifted < period->slices ? shifted : shifted - period->slices;
 }
 
-/* What they grow by from a pixel to that on its right. */
-static inline uint32_t qv_dither_step(const qv_dither *dither)
+/* What a pixel's dither value is more than that of its slice. It grows by qv_dither_step from a
+   pixel to that on its right. */
+static inline uint32_t qv_dither_shift(int spread, int32_t x, int32_t y)
 {
-    return dither->still ? 0 : FX_LATTICE_X;
+    return spread ? fx_dither_at(0, (uint32_t)x, (uint32_t)y, 0) : 0;
+}
+
+static inline uint32_t qv_dither_step(int spread)
+{
+    return spread ? FX_LATTICE_X : 0;
 }
 
 /* Shifts the moment of a slice to a pixel of dither value u; its technique is the same. */
@@ -80,9 +91,6 @@ typedef struct qv_states {
     unsigned fraction; /* bits of a state beyond the level's 8 */
     qv_packing packing;
 } qv_states;
-
-/* Bytes of a pixel. */
-#define QV_PIXEL_BYTES(channels, fraction) ((channels) * (8 + (fraction)) / 8)
 
 /* A state of 8, 16 or 24 bits. */
 FX_INLINE uint32_t qv_bytes_read(const uint8_t *at, unsigned bytes)

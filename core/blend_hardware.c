@@ -1,6 +1,7 @@
 #include "blend.h"
 
-#define COLOUR12 269422351u /* 4095 * 2^32 / 65280, to nearest */
+#define ONE_IN_272 15790321u  /* 15 / 4080, Q0.32 */
+#define COLOUR12   269422351u /* 4095 * 2^32 / 65280, to nearest */
 
 /*
  * The colour that, weighted by an opacity in Q0.23 above 0, is a light: 8 bits and a fraction
@@ -82,13 +83,15 @@ static void blend_rgb888(uint8_t *pixel, uint8_t *beside, const qv_fragment *fra
         pixel[c] = (uint8_t)fx_blend_plain(pixel[c], colour[c], moment->opacity, 8);
 }
 
-/* The opacity is what has accumulated. */
+/* The opacity is what has accumulated; where it is full, as over an opaque background, the
+   colours tell. */
 static void look_rgba8888(uint32_t *value, uint32_t *colour, const uint8_t *pixel,
                           const qv_fragment *fragment)
 {
-    (void)fragment;
     *value = pixel[3];
     *colour = 255;
+    if (pixel[3] == 255)
+        look_rgb888(value, colour, pixel, fragment);
 }
 
 /* Equations 6 and 7. */
@@ -213,11 +216,11 @@ static void blend_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragme
 
 static void clear_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *background)
 {
-    uint8_t level[3];
+    static const uint32_t factor[3] = {FX_FACTOR_5, FX_FACTOR_6, FX_FACTOR_5};
+    uint32_t state[4];
     (void)beside;
-    round_light(level, background, 3);
-    const uint32_t state[4] = {narrowed(level[0], 31), narrowed(level[1], 63),
-                               narrowed(level[2], 31), 0};
+    for (unsigned c = 0; c < 3; c++)
+        state[c] = (fx_light_narrow(background->light[c], factor[c]) + FX_ONE_Q23 / 2) >> 23;
     qv_states_write(pixel, 0, state, &states_565);
 }
 
@@ -261,8 +264,11 @@ static void clear_12(uint8_t *pixel, uint8_t *beside, const qv_fragment *backgro
 {
     uint32_t state[4];
     (void)beside;
-    for (unsigned c = 0; c < 3; c++)
-        state[c] = unorm12((background->light[c] + 0x4000u) >> 15);
+    for (unsigned c = 0; c < 3; c++) {
+        /* 4095 / 255 = 16 + 16 * 15 / 4080: in 2^-19 of a unit, at most 4095 * 2^19 */
+        uint32_t light = background->light[c];
+        state[c] = (light + fx_high_product(light, ONE_IN_272) + ((uint32_t)1 << 18)) >> 19;
+    }
     state[3] = level_of(background->opacity, 4095);
     qv_states_write(pixel, 0, state, &states_12);
 }

@@ -61,17 +61,22 @@ qv_status qv_combine(const qv_buffer *behind, const qv_buffer *front, const qv_d
     qv_moment of_slice;
     qv_status status = qv_buffer_check(behind, rect);
     if (status == QV_OK)
-        status = qv_buffer_check(front, rect);
+        status = behind->blend->kind == QV_UNDER ? QV_ERROR_BUFFER : qv_buffer_check(front, rect);
     if (status == QV_OK)
-        status = qv_moment_of(&of_slice, dither, behind->blend, slice);
+        status = dither ? QV_OK : QV_ERROR_NULL;
+    if (status != QV_OK)
+        return status;
+    qv_dither of_picture = *dither;
+    of_picture.technique = &qv_technique_rounded; /* what techniques do was done when it was made */
+    status = qv_moment_of(&of_slice, &of_picture, behind->blend, slice);
     if (status != QV_OK)
         return status;
     qv_moment moment = of_slice;
-    uint32_t step = qv_dither_step(dither);
+    uint32_t step = qv_dither_step(of_slice.spread);
     unsigned width = (unsigned)(rect->right - rect->left);
     unsigned height = (unsigned)(rect->bottom - rect->top);
     for (unsigned line = 0; line < height; line++) {
-        qv_place place = qv_place_of(behind, dither, &of_slice, rect, line);
+        qv_place place = qv_place_of(behind, &of_slice, rect, line);
         for (unsigned column = 0; column < width; column++) {
             qv_fragment fragment;
             qv_buffer_read(&fragment, front, column, line);

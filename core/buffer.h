@@ -45,10 +45,10 @@ typedef struct qv_place {
 } qv_place;
 
 /* The first of a rectangle's line. */
-static inline qv_place qv_place_of(const qv_buffer *buffer, const qv_dither *dither,
-                                   const qv_moment *slice, const qv_rect *rect, unsigned line)
+static inline qv_place qv_place_of(const qv_buffer *buffer, const qv_moment *slice,
+                                   const qv_rect *rect, unsigned line)
 {
-    uint32_t shift = qv_dither_shift(dither, rect->left, rect->top + (int32_t)line);
+    uint32_t shift = qv_dither_shift(slice->spread, rect->left, rect->top + (int32_t)line);
     qv_place place = {qv_buffer_pixel(buffer, 0, line), qv_buffer_beside(buffer, 0, line),
                       slice->u + shift};
     if (buffer->blend->beside == 0)

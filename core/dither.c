@@ -1,7 +1,10 @@
 #include "blend.h"
-#include "ray.h"
 
 #define MOST_SLOPE ((uint32_t)16 << 16)
+
+/* Numbers from frame to frame, a power of 2: so frames share no values of a hash, and their mean
+   comes nearer to exact blending than by a shift alone. */
+#define FRAME_BITS 10
 
 /* ---- Dither values -------------------------------------------------------- */
 
@@ -36,7 +39,7 @@ static uint32_t rounded(const qv_moment *moment, uint32_t level, uint32_t value,
     return fx_alpha_rounded(level);
 }
 
-const qv_technique qv_technique_rounded = {rounded, 0};
+const qv_technique qv_technique_rounded = {rounded, 0, 0};
 
 static uint32_t random(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
@@ -45,7 +48,7 @@ static uint32_t random(const qv_moment *moment, uint32_t level, uint32_t value, 
     return fx_alpha_random(&moment->alpha, level, moment->u);
 }
 
-const qv_technique qv_technique_random = {random, 0};
+const qv_technique qv_technique_random = {random, 0, 1};
 
 static uint32_t ordered(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
@@ -54,7 +57,7 @@ static uint32_t ordered(const qv_moment *moment, uint32_t level, uint32_t value,
     return fx_alpha_ordered(&moment->alpha, level, moment->phase);
 }
 
-const qv_technique qv_technique_ordered = {ordered, 0};
+const qv_technique qv_technique_ordered = {ordered, 0, 1};
 
 /* Its bumps are made for colour 255: what counts is how far the value is from the colour. */
 static uint32_t bumped(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
@@ -63,14 +66,14 @@ static uint32_t bumped(const qv_moment *moment, uint32_t level, uint32_t value, 
     return fx_alpha_bumped(&moment->alpha, level, moment->phase, 255u - way);
 }
 
-const qv_technique qv_technique_bumped = {bumped, 1};
+const qv_technique qv_technique_bumped = {bumped, 1, 1};
 
 static uint32_t corrected(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
     return fx_alpha_corrected(level, colour, value, moment->u);
 }
 
-const qv_technique qv_technique_corrected = {corrected, 1};
+const qv_technique qv_technique_corrected = {corrected, 1, 0};
 
 void qv_moment_opacity(qv_moment *moment, const qv_blend *blend, const uint8_t *pixel,
                        const qv_fragment *fragment)
@@ -108,29 +111,37 @@ qv_status qv_alpha_of(fx_alpha *alpha, const qv_dither *dither)
     return QV_OK;
 }
 
+/* What patterns go by. Without a period all phases are 0. */
+static void set_pattern(qv_moment *moment, const qv_dither *dither, uint32_t number)
+{
+    const fx_alpha none = {{0, 0}, {0, 0}, 0};
+    moment->alpha = none;
+    moment->phase = 0;
+    if (moment->technique && moment->technique->by_period) {
+        (void)qv_alpha_of(&moment->alpha, dither);
+        moment->phase = fx_phase(&moment->alpha.period, number + dither->frame);
+    }
+}
+
 qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blend *blend,
                        int32_t slice)
 {
-    int by_technique = blend->look != 0;
     if (!dither)
         return QV_ERROR_NULL;
-    if (!dither->sequence || (by_technique && !dither->technique))
+    const qv_technique *technique = blend->look ? dither->technique : 0;
+    if (!dither->sequence || (blend->look && !technique))
         return QV_ERROR_DITHER;
-    if (slice <= -QV_GRID_LIMIT || slice >= QV_GRID_LIMIT)
+    if (technique && technique->by_period && !in_range(dither))
+        return QV_ERROR_DITHER;
+    if (slice < -QV_GRID_LIMIT || slice >= QV_GRID_LIMIT)
         return QV_ERROR_SLICE;
-    if (by_technique && qv_alpha_of(&moment->alpha, dither) != QV_OK)
-        return QV_ERROR_DITHER;
-    uint32_t number = (uint32_t)(slice + QV_GRID_LIMIT);
-    moment->u = dither->sequence(number);
-    moment->technique = by_technique ? dither->technique : 0;
-    if (by_technique)
-        moment->phase = fx_phase(&moment->alpha.period, number);
+    uint32_t number = qv_slice_number(slice, blend->kind == QV_UNDER);
+    int rounds = dither->sequence == qv_sequence_rounded;
+    moment->technique = technique;
+    moment->spread = !dither->still && (technique || !rounds);
+    moment->u = dither->sequence(number + (dither->frame << FRAME_BITS));
+    if (!rounds)
+        moment->u = fx_dither_at(moment->u, 0, 0, dither->frame);
+    set_pattern(moment, dither, number);
     return QV_OK;
-}
-
-uint32_t qv_dither_shift(const qv_dither *dither, int32_t x, int32_t y)
-{
-    if (dither->still)
-        return fx_dither_at(0, 0, 0, dither->frame);
-    return fx_dither_at(0, (uint32_t)x, (uint32_t)y, dither->frame);
 }

@@ -22,8 +22,8 @@ uint8_t qv_dither_table_place(uint8_t period, int32_t slice, uint32_t frame, int
     if (!is_period(period))
         return 0;
     fx_period of = fx_period_of(period);
-    uint32_t phase = fx_phase(&of, (uint32_t)slice + QV_GRID_LIMIT);
-    return (uint8_t)qv_phase_shifted(&of, phase, fx_dither_at(0, (uint32_t)x, (uint32_t)y, frame));
+    uint32_t phase = fx_phase(&of, (uint32_t)QV_GRID_LIMIT - (uint32_t)slice + frame);
+    return (uint8_t)qv_phase_shifted(&of, phase, qv_dither_shift(1, x, y));
 }
 
 /* Levels with 16 fraction bits of 16 bits, to nearest: 65535 is 255 * 65536. */

@@ -2,7 +2,7 @@
 
 uint32_t qv_row_bytes(const qv_format *format, uint16_t width)
 {
-    return ((uint32_t)width * format->bits + 7u) >> 3; /* at most 2^18 */
+    return ((uint32_t)width * format->bits + 7u) >> 3; /* 2^16 pixels of 96 bits: below 2^20 */
 }
 
 /* Whether rows of the rectangle fit into the image's memory, side by side. */

@@ -628,7 +628,8 @@ qv_status qv_reduce(void *values, size_t bytes, const qv_scalars *scalars, const
  *
  * Rectangles of a frame may be rendered apart, down to rows: the dither of a pixel depends on
  * its absolute position, the slice and the frame alone. Any mode will do, of either order.
- * Front to back, pixels at the scene's termination take no more slices.
+ * Front to back, pixels at the scene's termination take no more slices. Through a pyramid slices
+ * are one step thick on every level, where rays take pieces as long as the level's steps.
  */
 
 struct qv_fragment;
@@ -654,25 +655,24 @@ typedef struct qv_blend {
  * Back to front (equations 6 and 7), each result rounded by dither. A pixel is a state:
  * levels, 255 being 1, with as many fraction bits as the channel has beyond 8; colours are
  * associated, and the fourth channel, where there is one, is the accumulated opacity. States
- * of more than 8 bits lie in memory lowest byte first. Largest deviation from exact
- * compositing over 1000 slices, in 8-bit levels, with qv_sequence_blocks: of a fog, and of
- * any of the contents that tests/accuracy/blends.c tries.
+ * of more than 8 bits lie in memory lowest byte first. How far off they are, qv_recommend tells.
  */
-extern const qv_blend qv_over_rgb888, qv_over_rgba8888;                     /* 5.5, 37 */
-extern const qv_blend qv_over_rgb888_residual4, qv_over_rgba8888_residual4; /* 1.1, 4.5 */
-extern const qv_blend qv_over_rgb888_residual8, qv_over_rgba8888_residual8; /* .6, .75 */
-extern const qv_blend qv_over_rgb565; /* 25 and 15.5, 120 and 85; low byte first */
-extern const qv_blend qv_over_rgba12; /* 6 bytes: 1.1, 4.5; of R the lowest bits first */
-extern const qv_blend qv_over_rgb16, qv_over_rgba16; /* 6 and 8 bytes: .6, .75 */
-extern const qv_blend qv_over_rgb24,
-    qv_over_rgba24; /* 9 and 12 bytes: .51, .51 by qv_sequence_rounded */
+extern const qv_blend qv_over_rgb888, qv_over_rgba8888;
+extern const qv_blend qv_over_rgb888_residual4, qv_over_rgba8888_residual4;
+extern const qv_blend qv_over_rgb888_residual8, qv_over_rgba8888_residual8;
+extern const qv_blend qv_over_rgb565;                /* low byte first */
+extern const qv_blend qv_over_rgba12;                /* 6 bytes; of R the lowest bits first */
+extern const qv_blend qv_over_rgb16, qv_over_rgba16; /* 6 and 8 bytes */
+extern const qv_blend qv_over_rgb24, qv_over_rgba24; /* 9 and 12, best by qv_sequence_rounded */
 
 /*
  * The residuals above are 4 or 8 bits a channel beside a frame buffer of 8 bits (error
  * feedback): 2 bytes a pixel, red in the lowest 4 bits; or 3 and 4 bytes.
  *
  * Front to back (section 8.2): colours in the same states, without opacity; beside each pixel 3
- * bytes of transmittance, lowest first.
+ * bytes of transmittance, lowest first. Largest deviation from exact compositing over 1000
+ * slices, in levels of 8 bits, by qv_sequence_blocks: in a fog, and on any of the contents of
+ * tests/reference/slice_cases.h.
  */
 extern const qv_blend qv_under_rgb888; /* 9, 48 */
 extern const qv_blend qv_under_rgb16;  /* .62, .75 */
@@ -683,7 +683,8 @@ extern const qv_blend qv_under_rgb24;  /* .51, .51 by qv_sequence_rounded */
  * technique of the dither, and a colour of 8 bits; each result is rounded to nearest. Without
  * accumulated opacity by equation 1; with it by equations 6 and 7, colours weighted by the
  * dithered opacity (section 5). rgba12: opacities of 12 bits, rounded without a technique, 4095
- * being 1; 6 bytes, as above.
+ * being 1; 6 bytes, as above. A colour is found from light by shift and subtract, so these cost
+ * some 400 instructions a pixel on a Cortex-M3, where qv_over_rgb888 costs 60.
  */
 extern const qv_blend qv_hardware_rgb888, qv_hardware_rgba8888;
 extern const qv_blend qv_hardware_rgb565, qv_hardware_rgba12;
@@ -693,8 +694,9 @@ extern const qv_blend qv_hardware_rgb565, qv_hardware_rgba12;
 extern const qv_blend qv_hand_out_rgba8888;
 
 /*
- * The dither value of a slice, Q0.32; slices count from 2^22 below sample 0. Its place in the
- * period of a table or pattern is slice modulo period.
+ * The dither value of a slice by its number, Q0.32. Numbers rise in the order of blending: slice k
+ * has 2^22 - k, front to back 2^22 + k; and 1024 more from frame to frame. The slice's place in
+ * the period of a table or pattern is that of frame 0, modulo the period.
  */
 typedef uint32_t qv_sequence(uint32_t slice);
 
@@ -712,7 +714,8 @@ uint32_t qv_sequence_blocks(uint32_t slice);  /* between the two: see qv_recomme
 typedef struct qv_technique {
     uint32_t (*opacity)(const struct qv_moment *moment, uint32_t level, uint32_t value,
                         uint32_t colour);
-    uint8_t by_value; /* whether value and colour are read */
+    uint8_t by_value;  /* whether value and colour are read */
+    uint8_t by_period; /* whether period, slopes and cutoff of the dither are */
 } qv_technique;
 
 extern const qv_technique qv_technique_rounded; /* no dither */
@@ -723,7 +726,9 @@ extern const qv_technique qv_technique_ordered; /* section 3: hits by the place 
    no value is known, as ordered. */
 extern const qv_technique qv_technique_bumped;
 
-/* Section 9.2: by the pixel's value, such that the rounded blend is exact on average. */
+/* Section 9.2: by the pixel's value, such that the rounded blend of 8 bits does what a dithered
+   one would; exact on average in the channel that is looked at, not in those that share its
+   opacity. Handed out, as for a pixel of value 0. */
 extern const qv_technique qv_technique_corrected;
 
 typedef struct qv_dither {
@@ -731,10 +736,11 @@ typedef struct qv_dither {
     const qv_technique *technique; /* of qv_hardware_* and qv_hand_out_*, else not read */
     uint32_t slope[2]; /* slope modifiers, Q16.16, 0 .. 2^20; 0: 1. The first alone but for bumped,
                           which takes the second once the value has reached its knee */
-    uint32_t frame;    /* counter: shifts the dither of all pixels from frame to frame */
-    uint8_t period;    /* of random, ordered and bumped: 2 .. 64 slices */
-    uint8_t cutoff;    /* levels: opacities above are rounded by these; 0: none are */
-    uint8_t still;     /* 1: the same dither for all pixels of a slice, as published */
+    uint32_t frame; /* counter: moves the dither of all pixels from frame to frame; patterns by 1,
+                          so that as many frames as the period has slices show each place once */
+    uint8_t period; /* of random, ordered and bumped: 2 .. 64 slices */
+    uint8_t cutoff; /* levels: opacities above are rounded by these; 0: none are */
+    uint8_t still;  /* 1: the same dither for all pixels of a slice, as published */
 } qv_dither;
 
 /*
@@ -752,14 +758,15 @@ typedef struct qv_buffer {
 
 /*
  * The slices first <= k < end that pixels of the rectangle may see; first == end where they
- * see none. Exact but for two more at each end. Takes some 1500 instructions a pixel; the
- * ranges of parts may be joined. Returns QV_OK or QV_ERROR_NULL, _RECT.
+ * see none. Exact but for two more at each end. Takes some 1200 .. 1600 instructions a pixel on a
+ * Cortex-M3; the ranges of parts may be joined. Returns QV_OK or QV_ERROR_NULL, _RECT.
  */
 qv_status qv_slice_range(int32_t *first, int32_t *end, const qv_context *context,
                          const qv_rect *rect);
 
 /* Sets the rectangle to the scene's background, to nearest; where blends keep no opacity,
    black stands behind it. qv_under_*: clears it, and the background comes with qv_read_out.
+   A brick or a chunk that is to be combined is cleared by a context without background.
    Returns QV_OK or QV_ERROR_NULL, _RECT, _BUFFER. */
 qv_status qv_clear(const qv_buffer *buffer, const qv_context *context, const qv_rect *rect);
 
@@ -767,7 +774,7 @@ qv_status qv_clear(const qv_buffer *buffer, const qv_context *context, const qv_
  * Blends one slice. Any slice may be asked for; where the volume has none, nothing changes
  * (qv_hand_out_rgba8888: all becomes 0). Returns QV_OK or QV_ERROR_NULL, _RECT, _BUFFER,
  * _DITHER (period or slope out of range, no sequence, or no technique where the blend needs
- * it), _SLICE (not -2^22 < slice < 2^22).
+ * it), _SLICE (not -2^22 <= slice < 2^22).
  */
 qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_context *context,
                    const qv_rect *rect, int32_t slice);
@@ -776,15 +783,16 @@ qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_co
  * Puts the front picture before the one behind, which becomes the result: two bricks, or a chunk
  * and what lies behind it (equations 4 and 8, sections 2.3 and 7). The two may have different
  * blends; front should keep opacity or transmittance, or it hides all. Its pixels count as
- * those of a slice, blended as behind->blend and the dither say. Returns QV_OK or QV_ERROR_NULL, _RECT,
- * _BUFFER (of either), _DITHER, _SLICE.
+ * those of a slice, whose opacity qv_hardware_* rounds: technique, slopes and cutoff are not read,
+ * as they have done their work. Returns QV_OK or QV_ERROR_NULL, _RECT, _BUFFER (of either, or
+ * behind is one of qv_under_*, which only what lies farther can follow), _DITHER, _SLICE.
  */
 qv_status qv_combine(const qv_buffer *behind, const qv_buffer *front, const qv_dither *dither,
                      const qv_rect *rect, int32_t slice);
 
 /*
  * The same, to the bit, for bricks of one colour and opacity of 8 bits that qv_hardware_rgba8888
- * has blended without dither, the front one over black: behind becomes what all slices in one
+ * has blended without dither, the front one over nothing: behind becomes what all slices in one
  * buffer would have given, by replaying as many as made the front pixel out of nothing, at most
  * 160. (After those no pixel changes, so that more of them cannot be told apart; behind none at all
  * they may be one too few.) A pixel that they never make is put in front by equation 8. Returns
@@ -801,13 +809,13 @@ qv_status qv_read_out(const qv_image *image, const qv_buffer *buffer, const qv_c
 /*
  * Equation 3: an opacity, Q0.32 of which 2^32 - 1 is 1, for `wanted` slices in place of
  * `slices`, 1 .. 65535 each: 1 - (1 - opacity)^(slices / wanted). 0 and 1 stay. At most
- * (slices / wanted + 1/2) * 2^-28 off. 0 slices of either count as 1.
+ * (slices / wanted + 2) * 2^-28 off. 0 slices of either count as 1.
  */
 uint32_t qv_opacity_for_slices(uint32_t opacity, uint16_t slices, uint16_t wanted);
 
 /*
  * The same for the opacities of a table's entries, colours as they are. `from` may be `to`.
- * Off by at most 1/2 + (slices / wanted + 1) / 4096 of 1/65535. Returns QV_OK, QV_ERROR_NULL, or
+ * Off by at most 1/2 + (slices / wanted + 2) / 4096 of 1/65535. Returns QV_OK, QV_ERROR_NULL, or
  * QV_ERROR_SLICE (0 slices).
  */
 qv_status qv_transfer_for_slices(qv_transfer *to, const qv_transfer *from, uint16_t slices,
@@ -844,7 +852,8 @@ uint32_t qv_dither_table_bytes(uint8_t period, uint8_t entry_bytes);
  * Builds the entries of first <= value < end of a table at `to`, which holds all of it. Hits are
  * ordered; each value's pattern is turned by 1 against that of the value below, so that equal
  * neighbours never hit together while no more than half of the slices hit. Of the dither, period,
- * cutoff and slope[0] are read. Some 70 instructions an entry, 105 with colours. Returns QV_OK or
+ * cutoff and slope[0] are read. On a Cortex-M3 some 55 instructions an entry, 100
+ * with colours; on a Cortex-M0 220 and 270. Returns QV_OK or
  * QV_ERROR_NULL, _SIZE (entry_bytes, or values), _DITHER, _BUFFER.
  */
 qv_status qv_dither_table_build(void *to, size_t bytes, uint8_t entry_bytes,
@@ -890,11 +899,13 @@ typedef struct qv_recommendation {
  * What to take for a frame buffer of so many bits a channel (5, 6, 8, 12, 16 or 24), with
  * residuals of 0, 4 or 8 bits beside (which only 8 bits make use of), where a pixel meets up to
  * so many slices that are not empty, 1 .. 4096, of which none has less than this opacity, Q0.32,
- * not 0. It is what has the smallest error on any content: dither by blocks, which is within 5.5
- * levels of 8 bits in a fog as well; but for few bits and high opacities plain rounding. Where
- * slices are known not to be empty, qv_sequence_golden may be better. The errors were measured,
- * back to front (core/recommend_table.h). Returns QV_OK or QV_ERROR_NULL, _SIZE (bits), _SLICE
- * (slices, or opacity 0).
+ * not 0. (At the borders of what is clear, interpolation makes less than any voxel has.)
+ *
+ * It is what has the smallest error on any content: dither by blocks, which is within 5.5 levels
+ * of 8 bits in a fog as well; but for few bits and high opacities plain rounding. Where slices are
+ * known not to be empty, qv_sequence_golden may be better. The errors were measured, back to
+ * front (core/recommend_table.h). Returns QV_OK or QV_ERROR_NULL, _SIZE (bits), _SLICE (slices,
+ * or opacity 0).
  */
 qv_status qv_recommend(qv_recommendation *recommendation, uint8_t bits, uint8_t residual_bits,
                        uint16_t slices, uint32_t opacity);

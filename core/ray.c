@@ -72,18 +72,23 @@ void qv_ray_clip(qv_ray *ray, const qv_context *context)
             ray->place[axis] += fx_multiply(ray->advance[axis], k.first) + QV_CENTRED;
 }
 
-int qv_ray_place(qv_ray *ray, const qv_context *context, int32_t sample)
+void qv_ray_count_from(qv_ray *ray, int32_t sample)
 {
-    if (sample < ray->first)
+    for (unsigned axis = 0; axis < 3; axis++)
+        ray->place[axis] += fx_multiply(ray->advance[axis], sample);
+    ray->first -= sample;
+}
+
+int qv_ray_hold(qv_ray *ray, const qv_context *context)
+{
+    const uint16_t *size = context->scene.volume.size;
+    if (ray->first > 0)
         return 0;
-    for (unsigned axis = 0; axis < 3; axis++) {
-        /* below 2^62 + 2^22 * 2^40 */
-        qv_coord point = ray->place[axis] + fx_multiply(ray->advance[axis], sample);
-        if (point < 0 || point >= (qv_coord)context->scene.volume.size[axis] << 32)
+    for (unsigned axis = 0; axis < 3; axis++)
+        if (ray->place[axis] < 0 || ray->place[axis] >= (qv_coord)size[axis] << 32)
             return 0;
-        ray->place[axis] = point;
+    for (unsigned axis = 0; axis < 3; axis++)
         ray->advance[axis] = 0;
-    }
     ray->advance[0] = BEYOND;
     ray->first = 0;
     return 1;

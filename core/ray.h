@@ -39,16 +39,27 @@ typedef struct qv_ray {
  */
 void qv_ray_clip(qv_ray *ray, const qv_context *context);
 
+/* Counts a ray's samples from one of them. |place| stays below 2^62 + 2^22 * 2^40. */
+void qv_ray_count_from(qv_ray *ray, int32_t sample);
+
 /*
- * Puts a ray, as its projection made it, on one sample, and no other in reach of the box: clipped,
- * it stands there. Returns 0 where that sample lies outside the box.
+ * Leaves a ray, as its projection made it, sample 0, and no other in reach of the box: clipped, it
+ * stands there. Returns 0 where there is no such sample, or it lies outside the box.
  */
-int qv_ray_place(qv_ray *ray, const qv_context *context, int32_t sample);
+int qv_ray_hold(qv_ray *ray, const qv_context *context);
 
 /* The rays of qv_projection_orthographic and qv_projection_perspective. Return whether
    there is one: 0 where the direction is too short. */
 int qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);
 int qv_ray_perspective(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);
+
+/* The ray of the pixel to the right of an orthographic ray's: side by side they differ by
+   `across` exactly, so this one is that of qv_ray_orthographic. */
+static inline void qv_ray_right(qv_ray *ray, const qv_camera *camera)
+{
+    for (unsigned axis = 0; axis < 3; axis++)
+        ray->place[axis] += camera->across[axis];
+}
 
 /* The point of pixel (x, y): base + x*across + y*down. |x|, |y| < 2^15 and
    components within the ranges of qv_camera keep it below 2^61. */

@@ -16,17 +16,32 @@ static int place_stretch(qv_ray *ray, const qv_context *context, int32_t slice)
     return ray->enter < ray->leave;
 }
 
+/* The ray of a row's next pixel, whose sample 0, of modes that know no lengths, is that of the
+   slice. Rays from an eye are made anew; others but the first of a row follow by addition. */
+static int next_ray(qv_ray *ray, const qv_context *context, int32_t x, int32_t y, int32_t slice,
+                    int first)
+{
+    const qv_camera *camera = &context->scene.camera;
+    if (!first && camera->pace[0] == 0) {
+        qv_ray_right(ray, camera);
+        return 1;
+    }
+    if (!camera->projection->ray(ray, context, x, y))
+        return 0;
+    if (!context->scene.sampling->by_length)
+        qv_ray_count_from(ray, slice);
+    return 1;
+}
+
 /* What a pixel sees of a slice; 0 where that is nothing. */
-static int see(qv_fragment *fragment, const qv_context *context, int32_t x, int32_t y,
+static int see(qv_fragment *fragment, const qv_context *context, const qv_ray *of_pixel,
                int32_t slice)
 {
     const qv_sampling *sampling = context->scene.sampling;
-    qv_ray ray;
+    qv_ray ray = *of_pixel;
     qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
-    if (!context->scene.camera.projection->ray(&ray, context, x, y))
-        return 0;
-    int placed = sampling->by_length ? place_stretch(&ray, context, slice)
-                                     : qv_ray_place(&ray, context, slice);
+    int placed =
+        sampling->by_length ? place_stretch(&ray, context, slice) : qv_ray_hold(&ray, context);
     if (!placed)
         return 0;
     sampling->march(&light, &ray, context);
@@ -57,13 +72,15 @@ qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_co
         return status;
     const qv_blend *blend = buffer->blend;
     qv_moment moment = of_slice;
-    uint32_t step = qv_dither_step(dither);
+    uint32_t step = qv_dither_step(of_slice.spread);
     for (int32_t y = rect->top; y < rect->bottom; y++) {
-        qv_place place = qv_place_of(buffer, dither, &of_slice, rect, (unsigned)(y - rect->top));
+        qv_place place = qv_place_of(buffer, &of_slice, rect, (unsigned)(y - rect->top));
+        qv_ray ray;
         for (int32_t x = rect->left; x < rect->right; x++) {
             qv_fragment fragment = {{0, 0, 0}, 0};
+            int hits = next_ray(&ray, context, x, y, slice, x == rect->left);
             if (!closed(&place, blend, context) &&
-                (see(&fragment, context, x, y, slice) || blend->kind == QV_HAND_OUT))
+                ((hits && see(&fragment, context, &ray, slice)) || blend->kind == QV_HAND_OUT))
                 qv_place_blend(&place, blend, &fragment, &moment, &of_slice);
             qv_place_next(&place, blend, step);
         }
@@ -83,6 +100,10 @@ static void extend(int32_t *first, int32_t *end, const qv_context *context, int3
     if (ray.samples == 0)
         return;
     int32_t nearest = qv_stretch_of(ray.enter) - 1, farthest = qv_stretch_of(ray.leave) + 1;
+    if (nearest < -QV_GRID_LIMIT)
+        nearest = -QV_GRID_LIMIT;
+    if (farthest >= QV_GRID_LIMIT)
+        farthest = QV_GRID_LIMIT - 1;
     if (*first == *end) {
         *first = nearest;
         *end = farthest + 1;

@@ -18,8 +18,10 @@ static int look_up(uint8_t entry[4], const slice *of, const qv_context *context,
                    int32_t y, uint32_t shift)
 {
     qv_ray ray;
-    if (!context->scene.camera.projection->ray(&ray, context, x, y) ||
-        !qv_ray_place(&ray, context, of->number))
+    if (!context->scene.camera.projection->ray(&ray, context, x, y))
+        return 0;
+    qv_ray_count_from(&ray, of->number);
+    if (!qv_ray_hold(&ray, context))
         return 0;
     for (unsigned axis = 0; axis < 3; axis++)
         ray.place[axis] += QV_CENTRED;
@@ -70,7 +72,7 @@ static qv_status check(const qv_dither_table *table, const qv_dither *dither,
         return status;
     if (!qv_storage_indexed(context->scene.volume.storage))
         return QV_ERROR_STORAGE;
-    return number <= -QV_GRID_LIMIT || number >= QV_GRID_LIMIT ? QV_ERROR_SLICE : QV_OK;
+    return number < -QV_GRID_LIMIT || number >= QV_GRID_LIMIT ? QV_ERROR_SLICE : QV_OK;
 }
 
 qv_status qv_slice_table(const qv_buffer *buffer, const qv_dither_table *table,
@@ -83,14 +85,14 @@ qv_status qv_slice_table(const qv_buffer *buffer, const qv_dither_table *table,
     if (status != QV_OK)
         return status;
     slice of = {table, fx_period_of(table->period), 0, number};
-    of.phase = fx_phase(&of.period, (uint32_t)(number + QV_GRID_LIMIT));
+    of.phase = fx_phase(&of.period, qv_slice_number(number, 0) + dither->frame);
     int hands_out = buffer->blend->kind == QV_HAND_OUT;
     for (int32_t y = rect->top; y < rect->bottom; y++)
         for (int32_t x = rect->left; x < rect->right; x++) {
             uint8_t *pixel =
                 qv_buffer_pixel(buffer, (unsigned)(x - rect->left), (unsigned)(y - rect->top));
             uint8_t entry[4] = {0, 0, 0, 0};
-            int seen = look_up(entry, &of, context, x, y, qv_dither_shift(dither, x, y));
+            int seen = look_up(entry, &of, context, x, y, qv_dither_shift(!dither->still, x, y));
             if (hands_out)
                 memcpy(pixel, entry, sizeof entry);
             else if (seen)

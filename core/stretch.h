@@ -29,8 +29,8 @@ int64_t qv_path_begin(const qv_ray *ray, const qv_scene *scene);
 
 /*
  * Finds enter and leave of a ray: the way through the box of the scene's volume, in
- * perspective from the eye on, of one slice within its borders. place stays. all and samples count the pieces, 0 where the
- * ray misses.
+ * perspective from the eye on, of one slice within its borders. place stays. all and samples
+ * count the pieces, 0 where the ray misses.
  * enter and leave are cut to 2^-23 step towards sample 0.
  */
 void qv_path_clip(qv_ray *ray, const qv_context *context);

@@ -45,7 +45,7 @@ uint32_t fx_correct_colour(fx_unorm16 opacity, uint32_t ratio);
  * Equation 3 of Williams et al.: the opacity, Q0.32, of each of `wanted` slices in place of
  * `slices`, 1 - (1 - opacity)^(slices / wanted). slices 1 .. 65535, wanted 1 .. 2^31 - 1. Exactly
  * the opacity for as many slices; 0 and 2^32 - 1 stay what they are. Error at most
- * (slices / wanted + 1/2) * 2^-28. Between opacities that differ by less than the error
+ * (slices / wanted + 2) * 2^-28. Between opacities that differ by less than the error
  * it may fall where it should rise.
  */
 uint32_t fx_correct_slices(uint32_t opacity, uint32_t slices, uint32_t wanted);

@@ -44,13 +44,15 @@ static inline uint32_t fx_dither_hash(uint32_t slice)
 }
 
 /*
- * Blocks of 8 slices with one value in each eighth of 0 .. 1; the order of a block turned
- * by a hash, so that nothing beats, its place in the eighth by the golden ratio.
+ * Blocks of 8 slices with one value in each eighth of 0 .. 1: the order of a block turned by a
+ * hash, its place in the eighth by the golden ratio, anew after 64 blocks, so that nothing
+ * beats.
  */
 static inline uint32_t fx_dither_blocks(uint32_t slice)
 {
     uint32_t block = slice >> 3;
-    return ((5u * slice + fx_hash(block)) << 29) + ((FX_GOLDEN * block) >> 3);
+    uint32_t place = FX_GOLDEN * block + fx_hash(block >> 6);
+    return ((5u * slice + fx_hash(block)) << 29) + (place >> 3);
 }
 
 /* A slice's value for the pixel (x, y) of a frame. To the right it grows by FX_LATTICE_X. */

@@ -273,7 +273,7 @@ static void corrected_opacities(void **state)
     static const technique blocks = {"corrected, blocks", corrected, fx_dither_blocks, 0, false, 8};
     static const bounds most_golden = {5.5, 150, 22, 25, 8, 5, 6};
     static const bounds most_hash = {24, 34, 27, 29, 29, 23, 24};
-    static const bounds most_blocks = {5.5, 37, 21, 30, 13.1, 5, 5.5};
+    static const bounds most_blocks = {5.5, 31, 21, 25, 13.5, 5.5, 6.6};
     (void)state;
     check(&golden, measure, most_golden);
     check(&hash, measure, most_hash);
@@ -371,8 +371,8 @@ static void three_channels(void **state)
     static const technique apart = {
         "three channels, dithered blends", NULL, fx_dither_blocks, 0, false, 1};
     static const bounds most_alone = {126, 250, 63, 65, 94, 63, 65};
-    static const bounds most_shared = {66, 75, 64, 67, 68, 65, 65};
-    static const bounds most_apart = {5.5, 37, 21, 30, 13.1, 5, 5.5};
+    static const bounds most_shared = {67, 77, 66, 69, 69, 67, 67};
+    static const bounds most_apart = {5.5, 31, 21, 25, 13.5, 5.5, 6.6};
     (void)state;
     check(&alone, measure_three, most_alone);
     check(&shared, measure_three, most_shared);

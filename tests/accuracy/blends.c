@@ -216,7 +216,7 @@ static void strictly_8_bits(void **state)
          0,
          0,
          false,
-         {5.5, 37, 21, 30, 13.1, 5, 5.5}},
+         {5.5, 31, 21, 25, 13.5, 5.5, 6.6}},
     };
     (void)state;
     CHECK_ALL(techniques);
@@ -231,14 +231,14 @@ static void of_5_and_6_bits(void **state)
          0,
          31,
          false,
-         {25, 120, 80, 80, 65, 26, 26}},
+         {25.5, 105, 80, 82, 72, 29, 26}},
         {"6 bits, blocks",
          dithered_6,
          fx_dither_blocks,
          0,
          63,
          false,
-         {15.5, 75, 52, 52, 46, 16, 16}},
+         {15.5, 72, 52, 52, 46, 17, 17.5}},
     };
     (void)state;
     CHECK_ALL(techniques);
@@ -253,7 +253,7 @@ static void with_residual_or_16_bits(void **state)
          4,
          0,
          false,
-         {1.1, 4.5, 2.5, 3, 1.8, 1, 1.4}},
+         {1.1, 4.8, 2.6, 3.2, 1.8, 1.15, 1.4}},
         {"8.8, golden ratio",
          dithered_8_8,
          fx_dither_golden,

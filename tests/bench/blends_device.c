@@ -105,12 +105,11 @@ static void measure_by_hand(void)
 /* Of a pixel anywhere; along a row it grows by a step, which the blends below include. */
 static void measure_dither(void)
 {
-    const qv_dither dither = {.sequence = qv_sequence_blocks, .frame = 1};
     uint32_t sum = 0;
     measure_begin();
     for (int32_t y = 0; y < SLICES; y++)
         for (int32_t x = 0; x < PIXELS; x++)
-            sum += qv_dither_shift(&dither, x, y);
+            sum += qv_dither_shift(1, x, y);
     measure_end();
     report("dither_shift", 0, 0, sum);
 }
@@ -127,15 +126,14 @@ static qv_moment moment_of(const qv_dither *dither, const qv_blend *blend, unsig
 
 /* A slice of one row, as qv_slice and qv_combine go along it; a function of its own, so that
    what surrounds it does not cost it registers. */
-static __attribute__((noinline)) void blend_slice(const qv_buffer *row, const qv_dither *dither,
-                                                  const qv_moment *slice,
+static __attribute__((noinline)) void blend_slice(const qv_buffer *row, const qv_moment *slice,
                                                   const qv_fragment *fragment)
 {
     const qv_rect rect = {0, 0, PIXELS, 1};
     const qv_blend *blend = row->blend;
-    qv_place place = qv_place_of(row, dither, slice, &rect, 0);
+    qv_place place = qv_place_of(row, slice, &rect, 0);
     qv_moment moment = *slice;
-    uint32_t step = qv_dither_step(dither);
+    uint32_t step = qv_dither_step(slice->spread);
     for (unsigned x = 0; x < PIXELS; x++) {
         qv_place_blend(&place, blend, fragment++, &moment, slice);
         qv_place_next(&place, blend, step);
@@ -154,7 +152,7 @@ static void measure_blend(const char *name, const qv_blend *blend, const qv_tech
         blend->clear(pixels + x * blend->bytes, beside + x * blend->beside, &black);
     measure_begin();
     for (unsigned slice = 0; slice < SLICES; slice++)
-        blend_slice(&row, &dither, &moments[slice], fragments + slice);
+        blend_slice(&row, &moments[slice], fragments + slice);
     measure_end();
     report(name, blend->bytes, blend->beside,
            checksum(pixels, (unsigned)PIXELS * blend->bytes) +

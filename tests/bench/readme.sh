@@ -18,6 +18,10 @@ replace() {
 tests/static/size.sh --readme >"$work/sizes"
 tests/bench/bench.sh >"$work/speeds"
 tests/bench/blends.sh >"$work/blends"
+cc=${CC:-cc}
+$cc -std=c99 -Icore tests/bench/recommendations.c "${BUILD:-build}/host/libqvol.a" -o "$work/ask"
+"$work/ask" >"$work/recommendations"
+replace recommendations
 replace sizes
 replace speeds
 replace blends

@@ -201,66 +201,66 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x003b63feu, /* 189 bspline_extinction, rgbt16, levels, perspective, rgba8888 */
     0x869fd1bcu, /* 190 bspline_extinction, indexed8_t8, levels, orthographic, bgra8888 */
     0xea4d4da3u, /* 191 bspline_extinction, indexed8_t16, levels, perspective, rgb888 */
-    0x70459811u, /* 192 nearest, rgba8, over_rgba8888, perspective, rgb565_le */
-    0xb2d9833fu, /* 193 nearest, rgba16, under_rgb888, perspective, rgb565_be */
-    0xf37ea74au, /* 194 nearest, indexed8, over_rgba8888_residual4, orthographic, l8 */
-    0xec987fffu, /* 195 nearest, indexed8_16, hardware_rgba8888, orthographic, grey4 */
-    0x4f1b5103u, /* 196 separate, rgba8, over_rgb888, perspective, mono_horizontal */
-    0x59b4dbd5u, /* 197 weighted, rgba8, over_rgb888_residual4, orthographic, mono_vertical */
-    0xa974cb51u, /* 198 weighted, rgba16, over_rgb888_residual8, perspective, rgba8888 */
-    0x26b7cf78u, /* 199 weighted, indexed8, over_rgba8888_residual8, perspective, bgra8888 */
-    0xe95f69e3u, /* 200 weighted, indexed8_16, over_rgb565, perspective, rgb888 */
-    0xd945acf7u, /* 201 corrected, rgba8, over_rgba12, orthographic, rgb565_le */
-    0x6b26baa0u, /* 202 corrected, rgba16, over_rgb16, perspective, rgb565_be */
-    0x4fba1e36u, /* 203 corrected, indexed8, over_rgba16, perspective, l8 */
-    0x9ad6755cu, /* 204 corrected, indexed8_16, over_rgb24, orthographic, grey4 */
-    0x9afd0471u, /* 205 extinction, rgba8, over_rgba24, orthographic, mono_horizontal */
-    0xf78b5ba0u, /* 206 extinction, rgba16, under_rgb16, perspective, mono_vertical */
-    0x2cf73dcdu, /* 207 extinction, indexed8, under_rgb24, orthographic, rgba8888 */
-    0x80d56e99u, /* 208 extinction, indexed8_16, hardware_rgb888, perspective, bgra8888 */
+    0xa03ba30fu, /* 192 nearest, rgba8, over_rgba8888, perspective, rgb565_le */
+    0x78a9780fu, /* 193 nearest, rgba16, under_rgb888, perspective, rgb565_be */
+    0xa1d33053u, /* 194 nearest, indexed8, over_rgba8888_residual4, orthographic, l8 */
+    0xd2bcea48u, /* 195 nearest, indexed8_16, hardware_rgba8888, orthographic, grey4 */
+    0xabcaa331u, /* 196 separate, rgba8, over_rgb888, perspective, mono_horizontal */
+    0x41145522u, /* 197 weighted, rgba8, over_rgb888_residual4, orthographic, mono_vertical */
+    0xfded0d18u, /* 198 weighted, rgba16, over_rgb888_residual8, perspective, rgba8888 */
+    0x63ddeb8cu, /* 199 weighted, indexed8, over_rgba8888_residual8, perspective, bgra8888 */
+    0x462f0f36u, /* 200 weighted, indexed8_16, over_rgb565, perspective, rgb888 */
+    0x932c04d9u, /* 201 corrected, rgba8, over_rgba12, orthographic, rgb565_le */
+    0xe56d1a92u, /* 202 corrected, rgba16, over_rgb16, perspective, rgb565_be */
+    0x13f6c299u, /* 203 corrected, indexed8, over_rgba16, perspective, l8 */
+    0x30697f87u, /* 204 corrected, indexed8_16, over_rgb24, orthographic, grey4 */
+    0x3f90817cu, /* 205 extinction, rgba8, over_rgba24, orthographic, mono_horizontal */
+    0xbe7bba30u, /* 206 extinction, rgba16, under_rgb16, perspective, mono_vertical */
+    0x3040c352u, /* 207 extinction, indexed8, under_rgb24, orthographic, rgba8888 */
+    0x9aa727a1u, /* 208 extinction, indexed8_16, hardware_rgb888, perspective, bgra8888 */
     0x8e862491u, /* 209 extinction, rgbt8, hardware_rgb565, orthographic, rgb888 */
     0x61ce5b5du, /* 210 extinction, rgbt16, hardware_rgba12, perspective, rgb565_le */
     0x691b7a8cu, /* 211 extinction, indexed8_t8, hand_out_rgba8888, perspective, rgb565_be */
-    0xf3d03c18u, /* 212 extinction, indexed8_t16, over_rgba8888, orthographic, l8 */
-    0xadeb4e97u, /* 213 bspline_weighted, rgba8, under_rgb888, orthographic, grey4 */
-    0x84dbc560u, /* 214 bspline_extinction, indexed8_t8, over_rgba8888_residual4, orthographic, mono_horizontal */
-    0x96525dacu, /* 215 corrected, rgba8, hardware_rgba8888, orthographic, mono_vertical */
-    0xea1c761au, /* 216 extinction, indexed8, over_rgb888, perspective, rgba8888 */
-    0x4b580a0eu, /* 217 extinction, rgbt16, over_rgb888_residual4, perspective, bgra8888 */
-    0x21a28ebfu, /* 218 nearest, rgba8, over_rgb888_residual8, orthographic, rgb888 */
-    0x40a94636u, /* 219 nearest, rgba16, over_rgba8888_residual8, orthographic, rgb565_le */
-    0x286f2994u, /* 220 nearest, indexed8, over_rgb565, orthographic, rgb565_be */
-    0x380689d7u, /* 221 nearest, indexed8_16, over_rgba12, orthographic, l8 */
-    0xf7ac897fu, /* 222 separate, rgba8, over_rgb16, perspective, grey4 */
-    0xbdf33667u, /* 223 weighted, rgba8, over_rgba16, orthographic, mono_horizontal */
-    0x90c53704u, /* 224 weighted, rgba16, over_rgb24, perspective, mono_vertical */
-    0x3cdecba9u, /* 225 weighted, indexed8, over_rgba24, perspective, rgba8888 */
-    0x8dcd42b0u, /* 226 weighted, indexed8_16, under_rgb16, orthographic, bgra8888 */
-    0x6cb32b64u, /* 227 corrected, rgba8, under_rgb24, orthographic, rgb888 */
-    0x530d905au, /* 228 corrected, rgba16, hardware_rgb888, orthographic, rgb565_le */
-    0x8903b9f0u, /* 229 corrected, indexed8, hardware_rgb565, perspective, rgb565_be */
+    0x620fcdf5u, /* 212 extinction, indexed8_t16, over_rgba8888, orthographic, l8 */
+    0x37cefa5bu, /* 213 bspline_weighted, rgba8, under_rgb888, orthographic, grey4 */
+    0xbb027129u, /* 214 bspline_extinction, indexed8_t8, over_rgba8888_residual4, orthographic, mono_horizontal */
+    0xf8cbdde2u, /* 215 corrected, rgba8, hardware_rgba8888, orthographic, mono_vertical */
+    0xa9547503u, /* 216 extinction, indexed8, over_rgb888, perspective, rgba8888 */
+    0x64fe61f8u, /* 217 extinction, rgbt16, over_rgb888_residual4, perspective, bgra8888 */
+    0x3e4a49c6u, /* 218 nearest, rgba8, over_rgb888_residual8, orthographic, rgb888 */
+    0x2a4dc165u, /* 219 nearest, rgba16, over_rgba8888_residual8, orthographic, rgb565_le */
+    0xf26a0fddu, /* 220 nearest, indexed8, over_rgb565, orthographic, rgb565_be */
+    0x16386e81u, /* 221 nearest, indexed8_16, over_rgba12, orthographic, l8 */
+    0x48d6b007u, /* 222 separate, rgba8, over_rgb16, perspective, grey4 */
+    0xc039406cu, /* 223 weighted, rgba8, over_rgba16, orthographic, mono_horizontal */
+    0x79feca33u, /* 224 weighted, rgba16, over_rgb24, perspective, mono_vertical */
+    0x57ca97cau, /* 225 weighted, indexed8, over_rgba24, perspective, rgba8888 */
+    0x2b7fbf4cu, /* 226 weighted, indexed8_16, under_rgb16, orthographic, bgra8888 */
+    0x9690c2b5u, /* 227 corrected, rgba8, under_rgb24, orthographic, rgb888 */
+    0xc526b382u, /* 228 corrected, rgba16, hardware_rgb888, orthographic, rgb565_le */
+    0xce52d78au, /* 229 corrected, indexed8, hardware_rgb565, perspective, rgb565_be */
     0x65012006u, /* 230 corrected, indexed8_16, hardware_rgba12, perspective, l8 */
-    0x6fcd60e7u, /* 231 extinction, rgba8, hand_out_rgba8888, orthographic, grey4 */
-    0x2bba58c2u, /* 232 extinction, rgba16, over_rgba8888, orthographic, mono_horizontal */
-    0x0cd7d828u, /* 233 extinction, indexed8, under_rgb888, perspective, mono_vertical */
-    0x69cc8dfdu, /* 234 extinction, indexed8_16, over_rgba8888_residual4, perspective, rgba8888 */
-    0xe01c69bfu, /* 235 extinction, rgbt8, hardware_rgba8888, orthographic, bgra8888 */
-    0x30c86329u, /* 236 extinction, rgbt16, over_rgb888, perspective, rgb888 */
-    0x2a6ab8e2u, /* 237 extinction, indexed8_t8, over_rgb888_residual4, perspective, rgb565_le */
-    0x58e40085u, /* 238 extinction, indexed8_t16, over_rgb888_residual8, perspective, rgb565_be */
-    0x3d01dfe1u, /* 239 bspline_weighted, rgba8, over_rgba8888_residual8, perspective, l8 */
-    0x30d5c0cau, /* 240 bspline_extinction, indexed8_t8, over_rgb565, orthographic, grey4 */
-    0x8f34d114u, /* 241 corrected, rgba8, over_rgba12, orthographic, mono_horizontal */
-    0xfaa14470u, /* 242 extinction, indexed8, over_rgb16, orthographic, mono_vertical */
-    0xc54abee6u, /* 243 extinction, rgbt16, over_rgba16, orthographic, rgba8888 */
-    0x6c6cae6bu, /* 244 nearest, rgba8, over_rgb24, orthographic, bgra8888 */
-    0x8b853260u, /* 245 nearest, rgba16, over_rgba24, perspective, rgb888 */
-    0x629c7e67u, /* 246 nearest, indexed8, under_rgb16, perspective, rgb565_le */
-    0xe747a3c1u, /* 247 nearest, indexed8_16, under_rgb24, perspective, rgb565_be */
-    0x8699bc3fu, /* 248 separate, rgba8, hardware_rgb888, perspective, l8 */
+    0x88587014u, /* 231 extinction, rgba8, hand_out_rgba8888, orthographic, grey4 */
+    0x48771bc0u, /* 232 extinction, rgba16, over_rgba8888, orthographic, mono_horizontal */
+    0x53cb0ea8u, /* 233 extinction, indexed8, under_rgb888, perspective, mono_vertical */
+    0x23515b5du, /* 234 extinction, indexed8_16, over_rgba8888_residual4, perspective, rgba8888 */
+    0x368173b3u, /* 235 extinction, rgbt8, hardware_rgba8888, orthographic, bgra8888 */
+    0xf9cb8942u, /* 236 extinction, rgbt16, over_rgb888, perspective, rgb888 */
+    0x09db8636u, /* 237 extinction, indexed8_t8, over_rgb888_residual4, perspective, rgb565_le */
+    0x0a065eaau, /* 238 extinction, indexed8_t16, over_rgb888_residual8, perspective, rgb565_be */
+    0xa7334c05u, /* 239 bspline_weighted, rgba8, over_rgba8888_residual8, perspective, l8 */
+    0x5160e294u, /* 240 bspline_extinction, indexed8_t8, over_rgb565, orthographic, grey4 */
+    0xf37135a0u, /* 241 corrected, rgba8, over_rgba12, orthographic, mono_horizontal */
+    0x080df793u, /* 242 extinction, indexed8, over_rgb16, orthographic, mono_vertical */
+    0xba7d1f4cu, /* 243 extinction, rgbt16, over_rgba16, orthographic, rgba8888 */
+    0x2522aac5u, /* 244 nearest, rgba8, over_rgb24, orthographic, bgra8888 */
+    0xbdc4f320u, /* 245 nearest, rgba16, over_rgba24, perspective, rgb888 */
+    0xb445b03au, /* 246 nearest, indexed8, under_rgb16, perspective, rgb565_le */
+    0x0fc4bd75u, /* 247 nearest, indexed8_16, under_rgb24, perspective, rgb565_be */
+    0x485e143bu, /* 248 separate, rgba8, hardware_rgb888, perspective, l8 */
     0xd476f1b5u, /* 249 weighted, rgba8, hardware_rgb565, perspective, grey4 */
     0x6cb0fcbdu, /* 250 weighted, rgba16, hardware_rgba12, perspective, mono_horizontal */
-    0xec08b19du, /* 251 weighted, indexed8, hand_out_rgba8888, perspective, mono_vertical */
+    0x3080992du, /* 251 weighted, indexed8, hand_out_rgba8888, perspective, mono_vertical */
 };
 
 #endif /* GOLDEN_H */

@@ -294,12 +294,9 @@ static inline model_pixel model_clear(const blend_model *of, const qv_fragment *
     else if (of->rule == RULE_DITHERED || of->rule == RULE_NARROW || of->rule == RULE_WIDE)
         model_blend(of, &p, background, 0x80000000u, 0);
     else
-        for (unsigned c = 0; c < 3; c++) {
-            const uint64_t level8 = ((uint64_t)background->light[c] + 0x400000) >> 23;
-            const uint64_t level16 = ((uint64_t)background->light[c] + 0x4000) >> 15;
-            p.state[c] = of->rule == RULE_WEIGHTED12 ? model_hi(level16, 269422351)
-                                                     : model_round(level8 * model_full(of, c), 255);
-        }
+        for (unsigned c = 0; c < 3; c++)
+            p.state[c] = model_round((uint64_t)background->light[c] * model_full(of, c),
+                                     (uint64_t)255 << 23);
     if (of->channels == 4 && of->blend->look != 0)
         p.state[3] = model_level(background->opacity, 255);
     if (of->rule == RULE_WEIGHTED12)

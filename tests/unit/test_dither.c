@@ -55,13 +55,14 @@ static void sequences(void **state)
         assert_int_equal(qv_sequence_golden(n), golden * n);
         assert_int_equal(qv_sequence_hash(n), model_hash(2 * n + 1));
         assert_int_equal(qv_sequence_blocks(n),
-                         0x20000000u * (5 * n + model_hash(block)) + golden * block / 8);
+                         0x20000000u * (5 * n + model_hash(block)) +
+                             (uint32_t)(golden * block + model_hash(block / 64)) / 8);
     }
 }
 
 /* ---- Moments -------------------------------------------------------------------- */
 
-/* Slices count from 2^22 below sample 0. */
+/* Slice 0 has the number 2^22. */
 static void moments_of_slices(void **state)
 {
     static const int32_t slices[] = {-0x3FFFFF, -1000, -1, 0, 1, 12345, 0x3FFFFF};
@@ -71,10 +72,14 @@ static void moments_of_slices(void **state)
         for (unsigned period = 2; period <= 64; period++) {
             qv_dither dither = some_dither();
             dither.period = (uint8_t)period;
-            const uint32_t number = (uint32_t)(slices[i] + FIRST_NUMBER);
+            const uint32_t number = (uint32_t)(FIRST_NUMBER - slices[i]);
+            const uint32_t frames = 1024 * dither.frame;
             const qv_moment moment = moment_of(&dither, &qv_hardware_rgb888, slices[i]);
-            assert_int_equal(moment.u, qv_sequence_blocks(number));
-            assert_int_equal(moment.phase, number % period);
+            assert_int_equal(moment.u, qv_sequence_blocks(number + frames) + golden * dither.frame);
+            assert_int_equal(moment.phase, (number + dither.frame) % period);
+            assert_int_equal(moment_of(&dither, &qv_under_rgb16, slices[i]).u,
+                             qv_sequence_blocks((uint32_t)(FIRST_NUMBER + slices[i]) + frames) +
+                                 golden * dither.frame);
             assert_true(moment.technique == dither.technique);
             assert_int_equal(moment.alpha.period.slices, period);
             assert_int_equal(moment.alpha.slope[0], 0x8000);
@@ -110,10 +115,10 @@ static void shifts_of_pixels(void **state)
         dither.still = turn % 2 != 0;
         const qv_moment slice = moment_of(&dither, &qv_hardware_rgb888, (int32_t)turn - 10000);
         qv_moment pixel = slice;
-        qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(&dither, x, y));
-        uint32_t shift = golden * dither.frame;
+        qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(slice.spread, x, y));
+        uint32_t shift = 0;
         if (!dither.still)
-            shift += lattice_x * (uint32_t)x + lattice_y * (uint32_t)y;
+            shift = lattice_x * (uint32_t)x + lattice_y * (uint32_t)y;
         assert_int_equal(pixel.u, slice.u + shift);
         assert_int_equal(pixel.phase,
                          (slice.phase + (shift >> 16) * dither.period / 65536) % dither.period);
@@ -132,9 +137,10 @@ static void blends_of_states_have_no_phase(void **state)
             qv_moment pixel = slice;
             assert_null(slice.technique);
             pixel.phase = 77;
-            qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(&dither, 1, 0));
+            qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(slice.spread, 1, 0));
             assert_int_equal(pixel.phase, 77);
-            assert_int_equal(pixel.u, golden * (FIRST_NUMBER + 100) + lattice_x);
+            const uint32_t number = FIRST_NUMBER + (models[i].rule == RULE_UNDER ? 100 : -100);
+            assert_int_equal(pixel.u, golden * number + lattice_x);
         }
 }
 
@@ -149,7 +155,7 @@ static void pixels_spread_over_the_period(void **state)
     for (int32_t y = 0; y < 70; y++)
         for (int32_t x = 0; x < 70; x++) {
             qv_moment pixel = slice;
-            qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(&dither, x, y));
+            qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(slice.spread, x, y));
             count[pixel.phase]++;
         }
     for (unsigned i = 0; i < 7; i++)
@@ -190,7 +196,7 @@ static void expect_question(const question *q, uint32_t level, uint32_t value, u
 /* A slice of opacity 1/2 and the colours 200, 10, 201 over a pixel. */
 static void techniques_are_told_of_the_pixel(void **state)
 {
-    static const qv_technique by_value = {ask, 1}, alone = {ask, 0};
+    static const qv_technique by_value = {ask, 1, 0}, alone = {ask, 0, 0};
     static const qv_fragment fragment = {{200u << 22, 10u << 22, 201u << 22}, 0x80000000u};
     static const uint8_t rgba[4] = {60, 70, 80, 90}, rgb565[2] = {0x29, 0x4B}; /* 9, 25, 9 */
     const uint32_t half = 255u << 15;
@@ -212,7 +218,7 @@ static void techniques_are_told_of_the_pixel(void **state)
 /* Of equal colours the first counts, and of 565 the green one's 6 bits are widened too. */
 static void the_largest_colour_counts(void **state)
 {
-    static const qv_technique by_value = {ask, 1};
+    static const qv_technique by_value = {ask, 1, 0};
     static const uint8_t rgb[3] = {1, 2, 3}, rgb565[2] = {0x29, 0x4B};
     qv_fragment fragment = {{50u << 23, 50u << 23, 50u << 23}, 0xFFFFFFFFu};
     question q;
@@ -278,11 +284,12 @@ static void refused_by_any_blend(const qv_dither *dither, qv_status status)
         expect_refused(dither, models[i].blend, 0, status);
 }
 
-/* Refused where a technique is wanted, and not read elsewhere. */
+/* Refused where it is wanted, and not read elsewhere. */
 static void refused_by_techniques(const qv_dither *dither)
 {
+    const int period_is_read = !dither->technique || dither->technique->by_period;
     for (unsigned i = 0; i < MODELS; i++)
-        if (models[i].blend->look)
+        if (models[i].blend->look && period_is_read)
             expect_refused(dither, models[i].blend, 0, QV_ERROR_DITHER);
         else
             (void)moment_of(dither, models[i].blend, 0);
@@ -304,6 +311,8 @@ static void dithers_out_of_range(void **state)
         dither = some_dither();
         dither.period = periods[i];
         refused_by_techniques(&dither);
+        dither.technique = &qv_technique_corrected;
+        refused_by_techniques(&dither);
     }
     for (unsigned i = 0; i < 2; i++) {
         dither = some_dither();
@@ -316,7 +325,7 @@ static void dithers_out_of_range(void **state)
 
 static void slices_out_of_range(void **state)
 {
-    static const int32_t slices[] = {INT32_MIN, -0x400001, -0x400000, 0x400000, INT32_MAX};
+    static const int32_t slices[] = {INT32_MIN, -0x400001, 0x400000, INT32_MAX};
     const qv_dither dither = some_dither();
     (void)state;
 

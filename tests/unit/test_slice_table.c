@@ -250,7 +250,7 @@ static void bad_calls_are_refused(void **state)
     refuse(&bad, QV_ERROR_STORAGE);
     bad = good, bad.slice = 1 << 22;
     refuse(&bad, QV_ERROR_SLICE);
-    bad = good, bad.slice = -(1 << 22);
+    bad = good, bad.slice = -(1 << 22) - 1;
     refuse(&bad, QV_ERROR_SLICE);
 }
 

@@ -20,8 +20,8 @@ static void S64_dither_values(void **state)
     static const uint32_t slices[][4] = {
         {1, 0x9E3779B9u, 0x53F1E9DD, 0xA0000000u},
         {8, 0xF1BBCDC8u, 0x4CA56AE5, 0x13C6EF37},
-        {1000, 0x8B37AA8, 0xFDDCDCC4u, 0x8822CDEAu},
-        {0xFFFFFFFFu, 0x61C88647, 0x6768824A, 0xF03910C8u},
+        {1000, 0x8B37AA8, 0xFDDCDCC4u, 0x95340002u},
+        {0xFFFFFFFFu, 0x61C88647, 0x6768824A, 0xFEE045EBu},
     };
     (void)state;
     for (unsigned i = 0; i < COUNT(hashes); i++)
@@ -31,7 +31,7 @@ static void S64_dither_values(void **state)
         assert_int_equal(fx_dither_hash(slices[i][0]), slices[i][2]);
         assert_int_equal(fx_dither_blocks(slices[i][0]), slices[i][3]);
     }
-    assert_int_equal(fx_dither_at(0x8822CDEAu, 3, 2, 7), 0x43283A40);
+    assert_int_equal(fx_dither_at(0x95340002u, 3, 2, 7), 0x50396C58);
     assert_int_equal(fx_dither_at(0, 0xFFFFFFFFu, 0, 0xFFFFFFFFu), 0xA088DC9Eu);
 }
 

@@ -86,10 +86,10 @@ static void S83_places(void **state)
         uint32_t frame;
         int32_t x, y;
     } examples[] = {{7, 2, 0, 0, 0, 0},
-                    {7, 0, -3, 5, 11, -2},
-                    {32, 30, 1000, 1, 640, 479},
-                    {64, 4, -4194303, UINT32_MAX, -1, -1},
-                    {2, 0, 5, 3, 1, 0}};
+                    {7, 5, 3, 5, 11, -2},
+                    {32, 11, -1000, 1, 640, 479},
+                    {64, 43, 4194303, UINT32_MAX, -1, -1},
+                    {2, 1, -5, 3, 1, 0}};
     (void)state;
     for (unsigned i = 0; i < COUNT(examples); i++)
         assert_int_equal(qv_dither_table_place(examples[i].period, examples[i].slice,
