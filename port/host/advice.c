@@ -2,6 +2,7 @@
  * advice.c - what the library recommends for a scene's slices.
  */
 #include "advice.h"
+#include "sampling.h"
 #include "settings_slices.h"
 
 #include <math.h>
@@ -45,21 +46,18 @@ static uint16_t least_fourth_channel(const qv_volume *volume)
     return least;
 }
 
-/* Equation 3, or what a depth lets through; in a volume without any, everything is opaque. */
-static uint32_t least_opacity(const qv_scene *scene)
+/* nearest takes opacities of voxels as they are; without any, everything is opaque. Between a
+   voxel and an empty one interpolation makes any opacity, and so does a short stretch. */
+static uint32_t least_opacity(const qv_volume *volume, const struct settings *settings)
 {
-    const qv_volume *volume = &scene->volume;
     qv_storage storage = (qv_storage)volume->storage;
-    double full = storage_channel_bytes(storage) == 1 ? 255 : 65535;
-    double value = least_fourth_channel(volume) / full;
-    double step = scene->camera.step, opacity;
-    if (storage_holds_extinction(storage)) {
-        opacity = 1 - exp2(-value * volume->extinction / QV_ONE_Q16 * step / QV_ONE_Q16);
-    } else {
-        double unit = volume->unit_distance != 0 ? volume->unit_distance : step;
-        opacity = 1 - pow(1 - value, step / unit);
+    uint32_t full = storage_channel_bytes(storage) == 1 ? UINT8_MAX : UINT16_MAX;
+    uint32_t value;
+    if (sampling_mode(settings, storage) != SAMPLING_NEAREST) {
+        return 1;
     }
-    return value > 0 ? (uint32_t)fmax(1, round(opacity * OPAQUE)) : OPAQUE;
+    value = least_fourth_channel(volume);
+    return value != 0 ? value * (OPAQUE / full) : OPAQUE; /* both 255 and 65535 divide it */
 }
 
 static uint16_t slice_count(const qv_scene *scene, const struct settings *settings)
@@ -74,10 +72,11 @@ void advice_ask(struct advice *advice, const qv_scene *scene, const struct setti
     int framebuffer = settings_framebuffer(settings);
     uint8_t bits = (uint8_t)(framebuffer == FRAMEBUFFER_565 ? 5 : framebuffer);
     uint8_t residual = (uint8_t)settings_residual(settings);
+    qv_status status;
     advice->slices = slice_count(scene, settings);
-    advice->opacity = least_opacity(scene);
-    advice->given = qv_recommend(&advice->recommendation, bits, residual, advice->slices,
-                                 advice->opacity) == QV_OK;
+    advice->opacity = least_opacity(&scene->volume, settings);
+    status = qv_recommend(&advice->recommendation, bits, residual, advice->slices, advice->opacity);
+    advice->given = status == QV_OK && settings_back_to_front(settings);
 }
 
 int advice_dither(const struct advice *advice)

@@ -7,9 +7,9 @@
 #include "scene.h"
 
 struct advice {
-    bool given;       /* else the library has none */
+    bool given;       /* else there is none; its figures were measured back to front */
     uint16_t slices;  /* through the box */
-    uint32_t opacity; /* least of a slice in a voxel that has any, Q0.32 */
+    uint32_t opacity; /* no slice that is not empty has less, Q0.32 */
     qv_recommendation recommendation;
 };
 

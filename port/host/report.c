@@ -61,24 +61,22 @@ static const char *sample_rule(const struct view *view, bool by_length)
     return by_length ? PIECES_ORTHOGRAPHIC : SAMPLES_ORTHOGRAPHIC;
 }
 
-static bool ends_early(const struct settings *settings)
-{
-    return !settings->slices.wanted && !settings_back_to_front(settings);
-}
-
 static void report_sampling(struct json *json, const qv_scene *scene, const struct view *view,
                             const struct model *model, const struct settings *settings)
 {
     bool by_length = sampling_by_length(settings, model->storage);
+    bool back_to_front = settings_back_to_front(settings);
     json_object(json, "sampling");
     json_text(json, "mode", choice_name(sampling_names, sampling_mode(settings, model->storage)));
-    json_text(json, "order", settings_back_to_front(settings) ? "back-to-front" : "front-to-back");
+    json_text(json, "order", back_to_front ? "back-to-front" : "front-to-back");
     json_boolean(json, "by_length", by_length);
     if (scene->pyramid != NULL) {
         json_integer(json, "level_q8", scene->level);
         json_integer(json, "level_distance", scene->level_distance);
         json_text(json, "pieces_of_levels",
-                  "2^l steps long on level l, counted from the border before k = 0");
+                  settings->slices.wanted
+                      ? "one step long on every level"
+                      : "2^l steps long on level l, counted from the border before k = 0");
     } else {
         json_null(json, "level_q8");
     }
@@ -86,7 +84,7 @@ static void report_sampling(struct json *json, const qv_scene *scene, const stru
     json_text(json, "samples", sample_rule(view, by_length));
     json_text(json, "position",
               "p rounded to 1/256 voxel, ties upwards; values clamped at centres");
-    json_integer(json, "termination", ends_early(settings) ? scene->termination : 0);
+    json_integer(json, "termination", back_to_front ? 0 : scene->termination);
     json_close(json);
 }
 

@@ -46,20 +46,21 @@ void settings_check_needs(const struct settings *settings, int groups)
     bool exports = (groups & GROUP_EXPORT) != 0;
     bool array = settings_want_array(settings);
     bool unit = settings->unit_distance > 0;
-    bool rays_from_behind = settings_back_to_front(settings) && !settings->slices.wanted;
+    bool back_to_front = settings_back_to_front(settings);
     const struct option_need needs[] = {
         {"--mask", settings->mask != NULL, settings->mask_transfer != NULL, "--mask-tf"},
         {"--mask-tf", settings->mask_transfer != NULL, settings->mask != NULL, "--mask"},
         {"--light", settings->light_given, settings->shade, "--shade"},
-        {"--termination", settings->termination >= 0, !rays_from_behind,
-         "--order front-to-back: from the back no ray ends early"},
+        {"--termination", settings->termination >= 0, !back_to_front,
+         "--order front-to-back: from the back nothing ends early"},
         {"--unit-distance", unit && exports, export_keeps_unit(settings),
          "--storage rgbt8 or rgbt16, --extinction, --json or an output that ends in .c or .h"},
         {"--unit-distance", unit, sampling_may_weigh(settings),
          "another --sampling: nearest and separate take opacities as they are"},
         {"--level", settings->level_given, sampling_may_weigh(settings),
          "another --sampling: nearest and separate have no levels"},
-        {"--level", settings->level_given, !rays_from_behind, "--order front-to-back"},
+        {"--level", settings->level_given, !back_to_front || settings->slices.wanted,
+         "--order front-to-back"},
         {"--filter", settings->filter != FILTER_BY_SAMPLING, exports || settings->level_given,
          "--level"},
         {"--domain", settings->domain != DOMAIN_BY_DEFAULT, exports || settings->level_given,

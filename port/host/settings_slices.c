@@ -185,8 +185,6 @@ static void check_compositing(const struct settings *settings)
         {"--chunk", s->chunk != 0, s->wanted, need},
         {"--slices", s->count != 0, s->wanted, need},
         {"--bricks", s->bricks[0] != 0, s->wanted, need},
-        {"--termination", settings->termination >= 0, !s->wanted,
-         "--compositing rays: slices have no end"},
     };
     settings_refuse(needs, sizeof needs / sizeof needs[0]);
 }

@@ -86,7 +86,7 @@ static void draw_chunks(const qv_buffer *buffer, const struct tile *tile, const 
         int32_t nearest = number * slices > first ? number * slices : first;
         check(qv_clear(&tile->chunk, &tile->clear, &tile->rect));
         draw_slices(&tile->chunk, tile, context, nearest, end);
-        check(qv_combine(buffer, &tile->chunk, &tile->slicing->joining, &tile->rect, number));
+        check(qv_combine(buffer, &tile->chunk, &tile->slicing->dither, &tile->rect, number));
         end = nearest;
     }
 }
@@ -108,6 +108,7 @@ static bool draw_volume(const qv_buffer *buffer, struct tile *tile, const qv_con
     return true;
 }
 
+/* Like slices they are counted from the nearest on. */
 static void draw_bricks(struct tile *tile)
 {
     const struct slicing *slicing = tile->slicing;
@@ -119,8 +120,8 @@ static void draw_bricks(struct tile *tile)
         check(qv_init(&context, &scene));
         check(qv_clear(&tile->brick, &tile->clear, &tile->rect));
         if (draw_volume(&tile->brick, tile, &context)) {
-            check(qv_combine(&tile->picture, &tile->brick, &slicing->joining, &tile->rect,
-                             (int32_t)number));
+            check(qv_combine(&tile->picture, &tile->brick, &slicing->dither, &tile->rect,
+                             (int32_t)(bricks - 1 - number)));
         }
     }
 }

@@ -53,8 +53,7 @@ static const struct way *way_of(int framebuffer, enum method method)
     return way;
 }
 
-/* An opaque background makes every pixel opaque, so opacities need no room, and a technique
-   that looks at the pixel sees its colour. */
+/* An opaque background makes every pixel opaque, so opacities need no room. */
 static const qv_blend *blend_of(const struct slicing *slicing, const qv_scene *scene,
                                 const struct settings *settings)
 {
@@ -141,8 +140,6 @@ static void set_dither_values(struct slicing *slicing, const struct settings *se
     dither->technique = technique_of(slicing->kind, s->slopes != 0);
     dither->frame = s->frame;
     dither->still = s->still;
-    slicing->joining = *dither;
-    slicing->joining.technique = &qv_technique_rounded;
 }
 
 static void set_bricks_of(struct slicing *slicing, const qv_volume *volume,

@@ -9,9 +9,8 @@
 struct slicing {
     const qv_blend *blend; /* of the picture, and of its chunks and bricks */
     qv_dither dither;
-    qv_dither joining; /* of chunks and bricks, whose opacities are made already */
-    int kind;          /* enum dither_kind, never auto */
-    int sequence;      /* enum sequence_kind; SEQUENCE_ROUNDED where none is read */
+    int kind;     /* enum dither_kind, never auto */
+    int sequence; /* enum sequence_kind; SEQUENCE_ROUNDED where none is read */
     bool front_to_back;
     uint32_t chunk; /* slices; 0: all */
     uint32_t bricks[3];

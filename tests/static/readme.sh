@@ -19,7 +19,7 @@ unknown() { # unknown EXAMPLE
         ! arm-none-eabi-nm -u "$1.linked" | grep ' qv_' >&2
 }
 
-check "README.md has two examples" test -s "$work/example2.c"
+check "README.md has three examples" test -s "$work/example3.c"
 for source in "$work"/example*.c; do
     name=$(basename "$source" .c)
     # shellcheck disable=SC2086 # several options
