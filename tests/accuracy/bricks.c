@@ -280,8 +280,7 @@ static double seam_of_dithered_chunks(uint32_t size, uint32_t count)
 /* The same with dithered blends of 8 bits. */
 static void chunks_of_dithered_blends(void **state)
 {
-    static const double most[][3] = {
-        {8, 2.6, .4}, {25, 3.7, .4}, {100, 3.7, .45}, {200, 3.2, .45}};
+    static const double most[][3] = {{8, 2.6, .4}, {25, 3.7, .4}, {100, 3.7, .45}, {200, 3.2, .45}};
     (void)state;
     for (unsigned i = 0; i < sizeof most / sizeof *most; i++)
         for (unsigned which = 0; which < 2; which++) {
