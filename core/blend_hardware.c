@@ -28,7 +28,7 @@ static void colours_of(uint32_t colour[3], const qv_fragment *fragment, unsigned
     uint32_t opacity = fx_opacity_q23(fragment->opacity);
     uint32_t most = fx_light_of_colour(255, opacity);
     for (unsigned c = 0; c < 3; c++) {
-        uint32_t light = fragment->light[c] < most ? fragment->light[c] : most;
+        uint32_t light = fx_light_within(fragment->light[c], most);
         colour[c] = opacity == 0 ? 0 : colour_of(light, opacity, fraction);
     }
 }

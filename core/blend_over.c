@@ -10,7 +10,7 @@ typedef struct {
 /* A blend is dithered, or rounded, by what its states have left. */
 FX_INLINE uint32_t blended(uint32_t state, uint32_t light, const meeting *slice, unsigned fraction)
 {
-    light = light < slice->most ? light : slice->most;
+    light = fx_light_within(light, slice->most);
     if (fraction == 16)
         return fx_blend_8_16(state, light, slice->opacity, slice->u);
     return fx_blend_dithered(state, light, slice->opacity, slice->u, fraction);
@@ -83,7 +83,7 @@ static const qv_states states_565 = {3, 0, QV_565};
 FX_INLINE uint32_t blended_narrow(uint32_t state, uint32_t light, const meeting *slice,
                                   uint32_t factor)
 {
-    light = fx_light_narrow(light < slice->most ? light : slice->most, factor);
+    light = fx_light_narrow(fx_light_within(light, slice->most), factor);
     return fx_blend_dithered(state, light, slice->opacity, slice->u, 0);
 }
 

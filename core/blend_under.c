@@ -9,7 +9,7 @@ typedef struct {
 
 FX_INLINE uint32_t blended(uint32_t state, uint32_t light, const meeting *slice, unsigned fraction)
 {
-    light = light < slice->most ? light : slice->most;
+    light = fx_light_within(light, slice->most);
     return fx_front_light(state, light, slice->before, slice->after, slice->u, fraction);
 }
 

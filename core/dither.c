@@ -59,14 +59,26 @@ static uint32_t ordered(const qv_moment *moment, uint32_t level, uint32_t value,
 
 const qv_technique qv_technique_ordered = {ordered, 0, 1};
 
-/* Its bumps are made for colour 255: what counts is how far the value is from the colour. */
+/* Bumps are made for colour 255: what counts is how far the value is from the colour. */
+static uint32_t value_for_255(uint32_t value, uint32_t colour)
+{
+    return 255u - (colour > value ? colour - value : value - colour);
+}
+
 static uint32_t bumped(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
-    uint32_t way = colour > value ? colour - value : value - colour;
-    return fx_alpha_bumped(&moment->alpha, level, moment->phase, 255u - way);
+    return fx_alpha_bumped(&moment->alpha, level, moment->phase, value_for_255(value, colour));
 }
 
 const qv_technique qv_technique_bumped = {bumped, 1, 1};
+
+static uint32_t bumped_random(const qv_moment *moment, uint32_t level, uint32_t value,
+                              uint32_t colour)
+{
+    return fx_alpha_bumped_random(&moment->alpha, level, moment->u, value_for_255(value, colour));
+}
+
+const qv_technique qv_technique_bumped_random = {bumped_random, 1, 1};
 
 static uint32_t corrected(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {

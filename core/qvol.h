@@ -722,9 +722,9 @@ extern const qv_technique qv_technique_rounded; /* no dither */
 extern const qv_technique qv_technique_random;  /* section 3: hits by dither value */
 extern const qv_technique qv_technique_ordered; /* section 3: hits by the place in the period */
 
-/* Section 3 too: exponential bumps and the second slope, by the pixel's value. Handed out, where
-   no value is known, as ordered. */
-extern const qv_technique qv_technique_bumped;
+/* Section 3 too: exponential bumps and the second slope, by the pixel's value; hits ordered or at
+   random. Handed out, where no value is known, without bumps. */
+extern const qv_technique qv_technique_bumped, qv_technique_bumped_random;
 
 /* Section 9.2: by the pixel's value, such that the rounded blend of 8 bits does what a dithered
    one would; exact on average in the channel that is looked at, not in those that share its
@@ -738,7 +738,7 @@ typedef struct qv_dither {
                           which takes the second once the value has reached its knee */
     uint32_t frame; /* counter: moves the dither of all pixels from frame to frame; patterns by 1,
                           so that as many frames as the period has slices show each place once */
-    uint8_t period; /* of random, ordered and bumped: 2 .. 64 slices */
+    uint8_t period; /* of random, ordered and bumped ones: 2 .. 64 slices */
     uint8_t cutoff; /* levels: opacities above are rounded by these; 0: none are */
     uint8_t still;  /* 1: the same dither for all pixels of a slice, as published */
 } qv_dither;

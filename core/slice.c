@@ -48,7 +48,7 @@ static int see(qv_fragment *fragment, const qv_context *context, const qv_ray *o
     if (light.transmittance == QV_CLEAR)
         return 0;
     for (unsigned c = 0; c < 3; c++) /* colours stay below 2^31 + 2^22 */
-        fragment->light[c] = 2u * fx_high_product(light.colour[c], QV_LIGHT_OF(sampling->read_out));
+        fragment->light[c] = fx_light_of(light.colour[c], QV_LIGHT_OF(sampling->read_out));
     fragment->opacity =
         light.transmittance == 0 ? 0xFFFFFFFFu : (QV_CLEAR - light.transmittance) << 1;
     return 1;

@@ -67,12 +67,16 @@ static inline uint32_t fx_light_of_colour32(uint32_t colour, uint32_t opacity32)
 
 /*
  * The light of an associated colour in another unit, v / one: factor is 255 * 2^54 / one to
- * nearest, for one above 255 * 2^22, so that it is below 2^32. At most 1.5 units off, and limited
- * to the opacity channel's light, 0 .. 255 * 2^23, which earlier roundings may have passed.
+ * nearest, for one above 255 * 2^22, so that it is below 2^32. At most 1.5 units off.
  */
-static inline uint32_t fx_light_of(uint32_t v, uint32_t factor, uint32_t opacity_light)
+static inline uint32_t fx_light_of(uint32_t v, uint32_t factor)
 {
-    uint32_t light = 2u * fx_high_product(v, factor); /* v <= one + 2^22: below 2^30 */
+    return 2u * fx_high_product(v, factor); /* v <= one + 2^22: the product is below 2^30 */
+}
+
+/* The same, limited to the opacity channel's light, which roundings may have passed. */
+static inline uint32_t fx_light_within(uint32_t light, uint32_t opacity_light)
+{
     return light < opacity_light ? light : opacity_light;
 }
 

@@ -9,9 +9,9 @@
 
 static const uint32_t lattice_x = 0xC13FA9A9u, lattice_y = 0x91E10DA6u, golden = 0x9E3779B9u;
 
-static const qv_technique *const techniques[] = {&qv_technique_rounded, &qv_technique_random,
-                                                 &qv_technique_ordered, &qv_technique_bumped,
-                                                 &qv_technique_corrected};
+static const qv_technique *const techniques[] = {
+    &qv_technique_rounded, &qv_technique_random,        &qv_technique_ordered,
+    &qv_technique_bumped,  &qv_technique_bumped_random, &qv_technique_corrected};
 
 enum { TECHNIQUES = sizeof techniques / sizeof techniques[0], FIRST_NUMBER = 0x400000 };
 
@@ -250,17 +250,19 @@ static void techniques_do_their_arithmetic(void **state)
         const uint32_t level = random_below(&seed, 255u * 65536u + 1);
         const uint32_t value = random_below(&seed, 256), colour = random_below(&seed, 256);
         const uint32_t way = value < colour ? colour - value : value - colour;
-        const uint32_t expected[TECHNIQUES] = {(level + 32768) / 65536,
-                                               fx_alpha_random(&m.alpha, level, m.u),
-                                               fx_alpha_ordered(&m.alpha, level, m.phase),
-                                               fx_alpha_bumped(&m.alpha, level, m.phase, 255 - way),
-                                               fx_alpha_corrected(level, colour, value, m.u)};
+        const uint32_t expected[TECHNIQUES] = {
+            (level + 32768) / 65536,
+            fx_alpha_random(&m.alpha, level, m.u),
+            fx_alpha_ordered(&m.alpha, level, m.phase),
+            fx_alpha_bumped(&m.alpha, level, m.phase, 255 - way),
+            fx_alpha_bumped_random(&m.alpha, level, m.u, 255 - way),
+            fx_alpha_corrected(level, colour, value, m.u)};
         for (unsigned i = 0; i < TECHNIQUES; i++)
             assert_int_equal(techniques[i]->opacity(&m, level, value, colour), expected[i]);
     }
 }
 
-static void only_two_look_at_pixels(void **state)
+static void some_look_at_pixels(void **state)
 {
     (void)state;
     for (unsigned i = 0; i < TECHNIQUES; i++)
@@ -346,7 +348,7 @@ int main(void)
         cmocka_unit_test(techniques_are_told_of_the_pixel),
         cmocka_unit_test(the_largest_colour_counts),
         cmocka_unit_test(techniques_do_their_arithmetic),
-        cmocka_unit_test(only_two_look_at_pixels),
+        cmocka_unit_test(some_look_at_pixels),
         cmocka_unit_test(dithers_out_of_range),
         cmocka_unit_test(slices_out_of_range),
     };

@@ -86,14 +86,16 @@ static void light_of_other_units(void **state)
         const uint64_t one = ones[i], scaled = (uint64_t)255 << 54;
         const uint32_t factor = (uint32_t)rounded(scaled, one);
         assert_int_equal(rounded(scaled, one), factor);
-        assert_int_equal(fx_light_of((uint32_t)one, factor, FX_LIGHT_ONE), FX_LIGHT_ONE);
-        assert_int_equal(fx_light_of((uint32_t)one + (1u << 22), factor, FX_LIGHT_ONE),
+        assert_int_equal(fx_light_within(fx_light_of((uint32_t)one, factor), FX_LIGHT_ONE),
                          FX_LIGHT_ONE);
-        assert_int_equal(fx_light_of((uint32_t)one, factor, 12345), 12345);
+        assert_int_equal(
+            fx_light_within(fx_light_of((uint32_t)one + (1u << 22), factor), FX_LIGHT_ONE),
+            FX_LIGHT_ONE);
+        assert_int_equal(fx_light_within(fx_light_of((uint32_t)one, factor), 12345), 12345);
         for (unsigned n = 0; n < 100000; n++) {
             const uint64_t v = random_below(&seed, (uint32_t)one + 1);
             const int64_t twice = (int64_t)(2 * v * FX_LIGHT_ONE / one);
-            const int64_t light = fx_light_of((uint32_t)v, factor, FX_LIGHT_ONE);
+            const int64_t light = fx_light_within(fx_light_of((uint32_t)v, factor), FX_LIGHT_ONE);
             assert_in_range(2 * light - twice + 4, 1, 7); /* 3 halves, and what is cut here */
         }
     }
@@ -383,7 +385,8 @@ static void images_combine(void **state)
         const uint32_t opacity = random_below(&seed, 65281),
                        near = random_below(&seed, opacity + 1);
         const uint32_t far = random_below(&seed, 65281), o = fx_opacity_of_level(opacity << 8);
-        const uint32_t light = fx_light_of(near << 15, 0x80000000u, fx_light_of_colour32(255, o));
+        const uint32_t light =
+            fx_light_within(fx_light_of(near << 15, 0x80000000u), fx_light_of_colour32(255, o));
         const int64_t exact = ((int64_t)near * 65280 + (int64_t)(65280 - opacity) * far) * 256;
         const int64_t off =
             (int64_t)fx_blend_8_16(far << 8, light, o, FX_NO_DITHER) * 65280 - exact;
