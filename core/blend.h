@@ -212,9 +212,13 @@ FX_INLINE uint32_t qv_light_of_narrow(uint32_t state, uint32_t full)
     return (uint32_t)fx_divide(fx_wide_product(state, FX_LIGHT_ONE) + full / 2u, full);
 }
 
-/* A picture's light, of 5 and 6 bits. */
-FX_INLINE void qv_fragment_of_565(qv_fragment *fragment, const uint32_t state[3])
+static const qv_states qv_states_565 = {3, 0, QV_565};
+
+/* What a pixel of 5 and 6 bits shows. */
+FX_INLINE void qv_565_read(qv_fragment *fragment, const uint8_t *pixel)
 {
+    uint32_t state[4];
+    qv_states_read(state, pixel, 0, &qv_states_565);
     fragment->light[0] = qv_light_of_narrow(state[0], 31);
     fragment->light[1] = qv_light_of_narrow(state[1], 63);
     fragment->light[2] = qv_light_of_narrow(state[2], 31);

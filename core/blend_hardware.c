@@ -178,7 +178,6 @@ const qv_blend qv_hand_out_rgba8888 = {hand_out, clear_rgba8888, read_rgba8888, 
 
 /* ---- 5 and 6 bits, and 12 ------------------------------------------------- */
 
-static const qv_states states_565 = {3, 0, QV_565};
 static const qv_states states_12 = {4, 4, QV_PACKED};
 
 /* 8 bits to 5 or 6, to nearest. */
@@ -192,7 +191,7 @@ static void look_565(uint32_t *value, uint32_t *colour, const uint8_t *pixel,
                      const qv_fragment *fragment)
 {
     uint32_t state[4];
-    qv_states_read(state, pixel, 0, &states_565);
+    qv_states_read(state, pixel, 0, &qv_states_565);
     const uint32_t level[3] = {state[0] << 3 | state[0] >> 2, state[1] << 2 | state[1] >> 4,
                                state[2] << 3 | state[2] >> 2};
     look_at_colours(value, colour, level, fragment);
@@ -207,11 +206,11 @@ static void blend_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragme
     (void)beside;
     if (moment->opacity == 0)
         return;
-    qv_states_read(state, pixel, 0, &states_565);
+    qv_states_read(state, pixel, 0, &qv_states_565);
     colours_of(colour, fragment, 0);
     for (unsigned c = 0; c < 3; c++)
         state[c] = fx_blend_plain(state[c], narrowed(colour[c], full[c]), moment->opacity, 8);
-    qv_states_write(pixel, 0, state, &states_565);
+    qv_states_write(pixel, 0, state, &qv_states_565);
 }
 
 static void clear_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *background)
@@ -221,15 +220,13 @@ static void clear_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *backgr
     (void)beside;
     for (unsigned c = 0; c < 3; c++)
         state[c] = (fx_light_narrow(background->light[c], factor[c]) + FX_ONE_Q23 / 2) >> 23;
-    qv_states_write(pixel, 0, state, &states_565);
+    qv_states_write(pixel, 0, state, &qv_states_565);
 }
 
 static void read_565(qv_fragment *fragment, const uint8_t *pixel, const uint8_t *beside)
 {
-    uint32_t state[4];
     (void)beside;
-    qv_states_read(state, pixel, 0, &states_565);
-    qv_fragment_of_565(fragment, state);
+    qv_565_read(fragment, pixel);
 }
 
 const qv_blend qv_hardware_rgb565 = {blend_565, clear_565, read_565, look_565, 2, 0, QV_HARDWARE};

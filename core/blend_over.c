@@ -77,8 +77,6 @@ DEFINE_OVER(rgba24, 4, 16, QV_PLAIN, 12, 0)
 
 /* ---- 5 and 6 bits --------------------------------------------------------- */
 
-static const qv_states states_565 = {3, 0, QV_565};
-
 /* A state of 5 or 6 bits, by the factor of its light. */
 FX_INLINE uint32_t blended_narrow(uint32_t state, uint32_t light, const meeting *slice,
                                   uint32_t factor)
@@ -94,27 +92,25 @@ static void blend_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragme
     const meeting slice = {opacity, fx_light_of_colour(255, opacity), moment->u};
     uint32_t state[4];
     (void)beside;
-    qv_states_read(state, pixel, 0, &states_565);
+    qv_states_read(state, pixel, 0, &qv_states_565);
     state[0] = blended_narrow(state[0], fragment->light[0], &slice, FX_FACTOR_5);
     state[1] = blended_narrow(state[1], fragment->light[1], &slice, FX_FACTOR_6);
     state[2] = blended_narrow(state[2], fragment->light[2], &slice, FX_FACTOR_5);
-    qv_states_write(pixel, 0, state, &states_565);
+    qv_states_write(pixel, 0, state, &qv_states_565);
 }
 
 static void clear_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *background)
 {
     static const uint32_t nothing[4] = {0, 0, 0, 0};
     const qv_moment rounded = {.u = FX_NO_DITHER};
-    qv_states_write(pixel, 0, nothing, &states_565);
+    qv_states_write(pixel, 0, nothing, &qv_states_565);
     blend_565(pixel, beside, background, &rounded);
 }
 
 static void read_565(qv_fragment *fragment, const uint8_t *pixel, const uint8_t *beside)
 {
-    uint32_t state[4];
     (void)beside;
-    qv_states_read(state, pixel, 0, &states_565);
-    qv_fragment_of_565(fragment, state);
+    qv_565_read(fragment, pixel);
 }
 
 const qv_blend qv_over_rgb565 = {blend_565, clear_565, read_565, 0, 2, 0, QV_OVER};
