@@ -45,8 +45,8 @@ static qv_buffer buffer_of(small *s, const blend_model *of)
                               .beside = of->beside == 0 ? NULL : s->beside,
                               .bytes = (size_t)of->bytes * PIXELS,
                               .beside_bytes = (size_t)of->beside * PIXELS,
-                              .stride = of->bytes * WIDTH,
-                              .beside_stride = of->beside * WIDTH,
+                              .stride = (ptrdiff_t)of->bytes * WIDTH,
+                              .beside_stride = (ptrdiff_t)of->beside * WIDTH,
                               .blend = of->blend};
     return buffer;
 }

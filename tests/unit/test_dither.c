@@ -139,8 +139,8 @@ static void blends_of_states_have_no_phase(void **state)
             pixel.phase = 77;
             qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(slice.spread, 1, 0));
             assert_int_equal(pixel.phase, 77);
-            const uint32_t number = FIRST_NUMBER + (models[i].rule == RULE_UNDER ? 100 : -100);
-            assert_int_equal(pixel.u, golden * number + lattice_x);
+            const int32_t number = FIRST_NUMBER + (models[i].rule == RULE_UNDER ? 100 : -100);
+            assert_int_equal(pixel.u, golden * (uint32_t)number + lattice_x);
         }
 }
 
