@@ -703,7 +703,7 @@ typedef uint32_t qv_sequence(uint32_t slice);
 uint32_t qv_sequence_rounded(uint32_t slice); /* 1/2 for all: rounding to nearest, no dither */
 uint32_t qv_sequence_golden(uint32_t slice);  /* best where no slice is empty */
 uint32_t qv_sequence_hash(uint32_t slice);    /* the noise of a random walk, but on anything */
-uint32_t qv_sequence_blocks(uint32_t slice);  /* between the two: see qv_recommend */
+uint32_t qv_sequence_blocks(uint32_t slice);  /* best over all contents: see qv_recommend */
 
 /*
  * How qv_hardware_* and qv_hand_out_rgba8888 come by an opacity of 8 bits. The caller names

@@ -66,7 +66,7 @@ $(TABLE_GENERATOR): $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/tables/*.c))
 RECOMMEND_GENERATOR := $(TEST_OUT)/recommend/recommend
 
 .PHONY: recommend
-recommend: $(RECOMMEND_GENERATOR) ## measure the table of qv_recommend anew: half an hour
+recommend: $(RECOMMEND_GENERATOR) ## measure the table of qv_recommend anew: some minutes
 	$(RECOMMEND_GENERATOR) $(TEST_OUT)/recommend_table.h
 	cp $(TEST_OUT)/recommend_table.h core/recommend_table.h
 

@@ -152,7 +152,7 @@ static void check_all(const technique *techniques, size_t count)
 static void print_head(void)
 {
     printf("# %-20s %6s %17s %17s %17s\n", "AAP error, %, at", "slices", "numbered from 0",
-           "from the far end", "numbered on");
+           "as rendered, alike", "numbered on");
 }
 
 #define CHECK_ALL(techniques) check_all(techniques, sizeof(techniques) / sizeof *(techniques))

@@ -97,6 +97,7 @@ static void means(void **state)
     }
     assert_true(fabs(golden / count - .5) < 1e-5);
     assert_true(fabs(hash / count - .5) < 1e-3); /* 3.5 standard deviations */
+    /* 512 slices at a time are up to .0026 off, each 512 by another hash: 4 standard deviations */
     assert_true(fabs(blocks / count - .5) < 1e-4);
 }
 
