@@ -135,8 +135,9 @@ FX_INLINE unsigned qv_rows_densities(fx_density density[QV_BSPLINE_TAPS], const 
                                      const qv_volume *volume, unsigned storage)
 {
     qv_address entry[QV_BSPLINE_TAPS];
-    for (unsigned i = 0; i < QV_BSPLINE_TAPS; i++)
-        entry[i] = qv_rows_entry(rows, i / 3u, i % 3u, volume, storage);
+    for (unsigned row = 0; row < 9; row++)
+        for (unsigned i = 0; i < 3; i++)
+            entry[3u * row + i] = qv_rows_entry(rows, row, i, volume, storage);
     return qv_densities(density, entry, QV_BSPLINE_TAPS, storage);
 }
 

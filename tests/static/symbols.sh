@@ -1,7 +1,8 @@
 #!/bin/sh
 # What the objects of core and fixedpoint ask for and hold: nothing undefined but
 # memcpy, memset, memmove and the compiler's 32-bit integer helpers (no floating
-# point, no 64-bit division); no variable that lasts; no recursion.
+# point, no 64-bit division); no variable that lasts; no division in a loop over
+# samples; no recursion.
 set -eu
 . tests/tap
 
@@ -35,6 +36,22 @@ check_symbols() { # check_symbols NAME NM
     result "$1: no variable in .data or .bss"
 }
 
+# What a sample runs through: the loops over samples, and the functions of optical depth and
+# of wide numbers. No instruction that divides, and no function; two that a sample does not
+# call are left out.
+check_divisions() { # check_divisions NAME OBJDUMP
+    for name in $(cd "$work/objects" && ls sample_*.o levels_*.o) \
+        fx_exp.o fx_log.o fx_log8.o fx_phi.o fx_correct.o fx_wide.o; do
+        "$2" -dr "$work/objects/$name" | awk -v name="$name" '
+            /^Disassembly/ { next }
+            />:$/ { function_name = $2; found = 1; next }
+            function_name ~ /<(fx_divide|fx_correct_slices)>/ { next }
+            /[[:space:]][us]div|__aeabi_u?l?i?div|fx_divide/ { print name, function_name, $0 }
+            END { if (!found) print name, "holds no code" }'
+    done >"$work/bad"
+    result "$1: no division in a loop over samples"
+}
+
 # Calls as pairs for tsort, which reports a loop. A call through a pointer may
 # reach every function whose address stands in a constant. Optimised, so that a
 # constant argument which names a function is a plain call; tail calls stay calls.
@@ -66,6 +83,7 @@ for optimise in -Os -O3; do
     for core in cortex-m0 cortex-m3; do
         compile arm-none-eabi-gcc -mcpu=$core -mthumb $optimise
         check_symbols "$core $optimise" arm-none-eabi-nm
+        check_divisions "$core $optimise" arm-none-eabi-objdump
     done
 done
 check_recursion
