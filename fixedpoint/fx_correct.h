@@ -17,7 +17,7 @@
 fx_depth fx_depth_scale(fx_depth depth, uint32_t ratio);
 
 /* depth * ratio, cut to Q32.32: for a ratio in Q32.32 and products below 2^32. Never more
-   than the product, and less by at most 2^-31. */
+   than the product, and less by less than 2^-32. */
 fx_depth fx_depth_times(fx_depth depth, uint64_t ratio);
 
 /*

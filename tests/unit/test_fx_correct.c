@@ -3,6 +3,8 @@
  */
 #include "check.h"
 #include "correct_exact.h"
+#include "phi_exact.h"
+#include "random.h"
 
 #define WHOLE ((fx_depth)1 << 32)
 
@@ -66,6 +68,45 @@ static void depths_scale(void **state)
     assert_true(fx_depth_scale(16, FX_RATIO_LEAST) == 1);
 }
 
+/* A number of 32 bits, of any magnitude, so that products are exact in long double. */
+static uint64_t random_number(uint32_t *seed, unsigned bits)
+{
+    return (uint64_t)(random_next(seed) | 1u) << 32 >> random_below(seed, bits);
+}
+
+/* Cut, by less than a unit of the result. */
+static void depths_times_a_ratio(void **state)
+{
+    uint32_t seed = 5;
+    (void)state;
+    for (unsigned i = 0; i < 300000; i++) {
+        const fx_depth depth = random_number(&seed, 64) & 0x3FFFFFFFFFF; /* < 2^10 */
+        const uint64_t ratio = random_number(&seed, 64) & 0xFFFFFFFFFFF; /* < 2^12 */
+        const long double exact = ldexpl((long double)depth * (long double)ratio, -32);
+        const long double short_by = exact - (long double)fx_depth_times(depth, ratio);
+        assert_true(short_by >= 0 && short_by < 1);
+    }
+    assert_true(fx_depth_times(64 * WHOLE, WHOLE) == 64 * WHOLE);
+    assert_true(fx_depth_times(UINT64_MAX, WHOLE) == UINT64_MAX);
+    assert_true(fx_depth_times(0, UINT64_MAX) == 0);
+}
+
+/* Depths up to 23, where fx_correct_colour reaches 16. */
+static void shares_of_phi(void **state)
+{
+    double worst = 0;
+    (void)state;
+    for (fx_depth depth = 0; depth < 23 * WHOLE; depth += WHOLE / 61)
+        for (fx_depth scaled = 1; scaled < WHOLE << 16; scaled += 1 + scaled / 7) {
+            const long double exact = ldexpl(phi_exact(scaled) / phi_exact(depth), 27);
+            const double off = (double)(fx_phi_share(depth, scaled) / exact - 1);
+            worst = fmax(worst, fabs(off) - (double)(1 / exact));
+        }
+    printf("# share of phi, beyond the last place: max %.4f * 2^-16 of it\n", ldexp(worst, 16));
+    assert_true(ldexp(worst, 16) <= .4);
+    assert_int_equal(fx_phi_share(0, 0), 1u << 27);
+}
+
 /* slices and wanted: as in the paper's figure 3, the ends, and longer slices. */
 static const uint32_t numbers[][2] = {{128, 275},  {128, 600},      {100, 1000},
                                       {1, 2},      {200, 100},      {600, 128},
@@ -98,6 +139,8 @@ int main(void)
         cmocka_unit_test(fixed_points),
         cmocka_unit_test(never_falls),
         cmocka_unit_test(depths_scale),
+        cmocka_unit_test(depths_times_a_ratio),
+        cmocka_unit_test(shares_of_phi),
         cmocka_unit_test(numbers_of_slices),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
