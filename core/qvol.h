@@ -1271,10 +1271,15 @@ typedef struct qv_splat_scene {
     qv_volume volume; /* level 0. Its voxels are not read, and may be null */
 } qv_splat_scene;
 
-/* Where light that comes from one direction is kept among a voxel's bytes. */
+/* Directions of a volume, and what light from anywhere counts of a voxel's bytes; core/bearing.h. */
+typedef struct qv_compass {
+    uint32_t directions, side[3], inverse[8];
+    uint8_t nearest, any_length;
+} qv_compass;
+
 typedef struct qv_bearing {
-    uint32_t weight[3]; /* of depths, Q10.22 */
-    uint8_t slot[3];    /* which byte */
+    uint32_t weight[3];
+    uint8_t slot[3], one;
 } qv_bearing;
 
 /* A checked scene, ready to draw. Plain data: it may be copied, and holds no pointer into
