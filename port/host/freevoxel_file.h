@@ -28,7 +28,7 @@
  * Then the levels, in this order, without gaps but for the multiples of 64. A level has one record
  * for each voxel, in the file's order: the voxel (level 0: as the storage says; others: an entry
  * of its channels), the bytes of its attenuation, one for each direction of the set, lowest number
- * first, and, where channels are of 16 bits and the sum is odd, a zero.
+ * first, and a zero where that makes records of voxels with 16-bit channels even.
  */
 #ifndef QVOL_HOST_FREEVOXEL_FILE_H
 #define QVOL_HOST_FREEVOXEL_FILE_H
