@@ -105,15 +105,20 @@ typedef enum qv_status {
     QV_ERROR_CAMERA = -9, /* matrix degenerate or out of range */
     QV_ERROR_VIEW = -10,  /* frame size, pitch or field of view out of range */
     QV_ERROR_RECT = -11,  /* rectangle empty or outside +-QV_PIXEL_MAX */
-    QV_ERROR_BUFFER = -12,     /* output buffer too small, or rows overlap */
-    QV_ERROR_TRANSFER = -13,   /* control points out of order, or none */
-    QV_ERROR_WINDOW = -14,     /* window of scalar values is empty or out of range */
-    QV_ERROR_LIGHT = -15,      /* shading: zero vector or coefficient out of range */
-    QV_ERROR_EXTINCTION = -16, /* extinction of the full value 0, or too much for a step */
-    QV_ERROR_MIXTURE = -17,    /* percentages sum to more than 1; a filter does not sum to 1 */
-    QV_ERROR_LEVEL = -18,      /* more levels than the size has, or a level without a pyramid */
-    QV_ERROR_DITHER = -19,     /* dither: no sequence or technique, period or slope out of range */
-    QV_ERROR_SLICE = -20       /* slice out of range, or no slices */
+    QV_ERROR_BUFFER = -12,      /* output buffer too small, or rows overlap */
+    QV_ERROR_TRANSFER = -13,    /* control points out of order, or none */
+    QV_ERROR_WINDOW = -14,      /* window of scalar values is empty or out of range */
+    QV_ERROR_LIGHT = -15,       /* shading: zero vector or coefficient out of range */
+    QV_ERROR_EXTINCTION = -16,  /* extinction of the full value 0, or too much for a step */
+    QV_ERROR_MIXTURE = -17,     /* percentages sum to more than 1; a filter does not sum to 1 */
+    QV_ERROR_LEVEL = -18,       /* more levels than the size has, or a level without a pyramid */
+    QV_ERROR_DITHER = -19,      /* dither: no sequence or technique, period or slope out of range */
+    QV_ERROR_SLICE = -20,       /* slice out of range, or no slices */
+    QV_ERROR_DIRECTION = -21,   /* directions: none, unknown, or one missing from a set */
+    QV_ERROR_ATTENUATION = -22, /* attenuation: records too short, or their memory too small */
+    QV_ERROR_INSIDE = -23,      /* eye in the volume where no light gets out of it */
+    QV_ERROR_SUMS = -24,        /* a sum of splats is full */
+    QV_ERROR_OVERLAP = -25      /* memory that is written is also read */
 } qv_status;
 
 /* One line of English for a status, never null; also for values not listed. */
@@ -1052,6 +1057,320 @@ qv_status qv_downsample(void *voxels, size_t bytes, const qv_volume *finer, cons
  * _CAMERA.
  */
 qv_status qv_detail(qv_scene *scene, const qv_view *view);
+
+/* ---- FreeVoxels --------------------------------------------------------------- */
+
+/*
+ * Voxels that need no other voxel to be drawn (FreeVoxels). Each keeps, for every direction of
+ * a set, a byte: how much light passes between it and the outside of the volume, 255 being all.
+ * So voxels may be added to a picture in any order, from any place, by any number of workers,
+ * and light that falls on them is known:
+ *
+ *     qv_attenuate(...)                              once a direction
+ *     qv_splat_init(&splats, &scene);
+ *     qv_sums_clear(&sums);
+ *     qv_splat, qv_splat_block or qv_splat_stream    in any order
+ *     qv_sums_read_out(&image, &sums, &splats);
+ *
+ * Sums of integers do not depend on their order: the same voxels make the same picture.
+ */
+
+/*
+ * A direction leads from a voxel to one of its 26 neighbours, and so on outside: (dx, dy, dz), each
+ * -1, 0 or 1, has the number n = (dx+1) + 3 (dy+1) + 9 (dz+1), less 1 beyond the middle, 13. The
+ * opposite of d is 25 - d. A set of directions has bit d for direction d; the bytes of a voxel
+ * are those of its set, lowest number first.
+ */
+#define QV_DIRECTIONS       26u
+#define QV_DIRECTIONS_ALL   0x3FFFFFFu
+#define QV_DIRECTIONS_FACES 0x020B410u /* +-x, +-y, +-z: 4, 10, 12, 13, 15, 21 */
+
+/* The number of (dx, dy, dz); 255 where there is none. */
+uint8_t qv_direction(int dx, int dy, int dz);
+
+/* How many directions a set has. */
+uint8_t qv_directions_count(uint32_t directions);
+
+/*
+ * How the voxels of a box follow each other in memory. The caller names those it uses, and only
+ * those are linked. The fields are the library's own. Morton and Hilbert curves are those of the
+ * least cube of 2^b voxels an axis that holds the box, without what lies outside of the box:
+ * indices are 0 .. voxels - 1, without gaps, for every size.
+ */
+typedef struct qv_order {
+    uint64_t (*index)(const uint16_t size[3], const uint16_t position[3]);
+    void (*position)(uint16_t position[3], const uint16_t size[3], uint64_t index);
+} qv_order;
+
+extern const qv_order qv_order_linear;  /* x fastest, then y, then z */
+extern const qv_order qv_order_morton;  /* x is the lowest of each three bits */
+extern const qv_order qv_order_hilbert; /* in a cube, neighbours on the curve share a face */
+
+/*
+ * The index of a voxel, and the voxel of an index. QV_OK or QV_ERROR_NULL, _SIZE (an axis out of
+ * range, or a voxel or an index outside of the box).
+ */
+qv_status qv_order_index(uint64_t *index, const qv_order *order, const uint16_t size[3],
+                         const uint16_t position[3]);
+qv_status qv_order_position(uint16_t position[3], const qv_order *order, const uint16_t size[3],
+                            uint64_t index);
+
+/*
+ * The bytes of the voxels of one level. `record` lets them lie between other things, as in a file
+ * that keeps a voxel's colour and its bytes side by side.
+ */
+typedef struct qv_attenuation {
+    qv_address records;    /* bytes of the voxel with index 0 */
+    uint64_t bytes;        /* from there to the end of the last voxel's */
+    const qv_order *order; /* null: linear */
+    uint32_t directions;   /* a set, not empty */
+    uint16_t size[3];      /* voxels of the level */
+    uint16_t record;       /* from one voxel's bytes to the next one's; 0: as many as directions */
+} qv_attenuation;
+
+/* Bytes of such records: 26 a voxel for all directions. 0 where size, set or record is out of
+   range. attenuation->records and ->bytes are not read. */
+uint64_t qv_attenuation_bytes(const qv_attenuation *attenuation);
+
+/* The bytes of a voxel; null where it lies outside of the level, or the descriptor is wrong. */
+qv_address qv_attenuation_at(const qv_attenuation *attenuation, const uint16_t position[3]);
+
+/*
+ * FreeVoxel attenuation (sections 2.1 and 3.1, equation 5): writes, for one direction of the set,
+ * the transmittance of all voxels that lie between each voxel and the outside, without the
+ * voxel itself. A voxel counts for the whole way to the next: one step of the direction in world
+ * units, sqrt 2 and sqrt 3 included, where the volume has a unit distance; where that is 0, an
+ * opacity holds for a step of any direction, as published. Takes time in proportion to the voxels.
+ *
+ * `to` and `bytes` are the memory that attenuation describes, whose own address and length are
+ * not read; bytes of other directions stay. blocks: null, or memory for the sums that coarser levels
+ * are made of, one for each block of 2 x 2 x 2 voxels, ceil(size / 2) on an axis, x fastest, which
+ * this direction overwrites.
+ *
+ * Depths add up in 64 bits, unrounded; each byte is rounded once, to nearest, and within .51 of exact
+ * for up to 1000 voxels in a line (.55 for 4096).
+ * The domain must be that of the volume's fourth channel: qv_domain_extinction for opacity,
+ * qv_domain_stored for extinction. Works in some 300 bytes on the stack.
+ * Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check, _STORAGE (domain), _UNIT
+ * (a step outside 2^-12 .. 2^12 unit distances), _EXTINCTION (a step's depth 0, or 2^12 or more, at the full
+ * value), _DIRECTION (not in the set, or a set that is empty or has unknown bits), _SIZE (not the volume's), _ATTENUATION (record
+ * too short, or memory too small), _OVERLAP (the memory is also the volume's or that of blocks).
+ */
+qv_status qv_attenuate(void *to, size_t bytes, uint32_t *blocks, const qv_attenuation *attenuation,
+                       const qv_volume *volume, const qv_domain *domain, uint8_t direction);
+
+/*
+ * The hierarchy (section 3.2, equation 7): for one direction, the bytes of level 1, 2 .. 12, from
+ * the sums that qv_attenuate has left in `blocks` for a volume of `size`: of each block the
+ * geometric mean of its voxels' transmittance, which is the mean of their depths. No depth counts as more than
+ * 64: so a voxel behind something opaque has a transmittance of 2^-64, and one of eight takes
+ * 2^-8 from its block. Every level is made of the voxels' depths, not of rounded bytes: within .51.
+ * attenuation is that of the level. Returns QV_OK or QV_ERROR_NULL, _DIRECTION, _LEVEL (0, or more than the size has),
+ * _SIZE (attenuation->size is not the level's), _ATTENUATION, _OVERLAP.
+ */
+qv_status qv_attenuate_level(void *to, size_t bytes, const qv_attenuation *attenuation,
+                             const uint32_t *blocks, const uint16_t size[3], uint8_t level,
+                             uint8_t direction);
+
+/* ---- Light from outside ------------------------------------------------------- */
+
+#define QV_LAMPS_MAX 4u
+
+/* A light far away, so that it falls on all voxels from one direction. */
+typedef struct qv_lamp {
+    int16_t direction[3]; /* to the light, in world axes, any length but 0 */
+    uint16_t colour[3];   /* 65535 is 1 */
+} qv_lamp;
+
+/*
+ * Light that falls on voxels, attenuated on its way as the voxels' bytes tell (section 4.3). A
+ * voxel's colour is multiplied by ambient + the sum over lamps of colour * transmittance, at
+ * most by 1.
+ */
+typedef struct qv_lighting {
+    qv_lamp lamps[QV_LAMPS_MAX];
+    uint8_t count;       /* of lamps that shine; 0 with ambient 0: as if ambient were 1 */
+    uint16_t ambient[3]; /* 65535 is 1 */
+} qv_lighting;
+
+/*
+ * Lights a block of a volume for qv_render: writes its voxels, tightly packed, x fastest, as
+ * entries of the channels of the volume or of its palette, with lit colours. One pass over the
+ * voxels, whatever the number of lamps. The volume's voxels may be overwritten where they are
+ * such entries themselves and the block is all of it, tightly packed.
+ * `nearest` as in qv_splat_scene. Colours are rounded to nearest; those of 8 bits are within .51 of exact for
+ * the bytes as they are, those of 16 bits within 2. Returns QV_OK or QV_ERROR_NULL, an error of
+ * qv_volume_check, _SIZE (also of the block), _DIRECTION (a lamp shines from between directions of
+ * which one is not in the set), _ATTENUATION, _LIGHT (more lamps than there can be, or a direction
+ * of length 0), _BUFFER.
+ */
+qv_status qv_illuminate(void *voxels, size_t bytes, const qv_volume *volume,
+                        const qv_attenuation *attenuation, const qv_lighting *lighting,
+                        uint8_t nearest, const qv_block *block);
+
+/* ---- Splatting ---------------------------------------------------------------- */
+
+/* One pixel's sums are 4: red, green, blue and opacity, levels of 8 bits with 16 fraction bits. */
+#define QV_SUM_CHANNELS 4u
+
+/*
+ * What splats are added to: the sums of a rectangle of the frame, in rows from the top, without
+ * gaps. Splats are cut at its edges, so a frame may be made in strips.
+ * A sum stops at 2^32 - 1, that is at 257 times white, and qv_sums_read_out refuses it: stopped
+ * sums do not depend on the order either.
+ */
+typedef struct qv_sums {
+    uint32_t *sums;
+    size_t count; /* numbers that the memory holds, at least QV_SUM_CHANNELS a pixel */
+    qv_rect rect;
+} qv_sums;
+
+struct qv_splats;
+
+/*
+ * How a splat enters the sums. The caller names one, and only that one is linked. The fields are
+ * the library's own.
+ */
+typedef struct qv_splatting {
+    void (*row)(uint32_t *sums, const uint16_t *weights, unsigned count, const uint32_t light[4]);
+    uint8_t attenuated; /* whether the bytes towards the viewer are read */
+} qv_splatting;
+
+extern const qv_splatting qv_splatting_added; /* equation 10: any order, no leak */
+extern const qv_splatting qv_splatting_over;  /* equation 9: back to front only; leaks where
+                                                 splats overlap, kept for comparison */
+
+/* A reconstruction kernel, integrated along the ray and over the pixel. The fields are the
+   library's own. */
+typedef struct qv_kernel {
+    const uint16_t *integral;
+    uint8_t halves; /* half its width in half voxels */
+} qv_kernel;
+
+extern const qv_kernel qv_kernel_linear;    /* 2 voxels wide */
+extern const qv_kernel qv_kernel_quadratic; /* 3 voxels wide: smooth */
+
+/* What a picture of splats shows. */
+typedef struct qv_splat_scene {
+    const qv_splatting *splatting;
+    const qv_kernel *kernel;
+    const qv_domain *domain; /* that of the volume's fourth channel, as in qv_attenuate */
+    qv_address inside;       /* with an eye in the volume (qv_splat_eye): the bytes of its voxel;
+                                else not read */
+    uint32_t directions;     /* set of the bytes of all voxels */
+    qv_angle field_of_view;  /* as in qv_perspective; 0: orthographic */
+    uint8_t nearest;         /* 1: the bytes of the nearest direction of the set, as published; 0:
+                                between the three directions that surround the one wanted */
+    uint8_t level;           /* the finest level to draw, 0 .. 12 */
+    uint8_t coarsest;        /* the coarsest, level .. 12 */
+    uint8_t background[4];   /* R, G, B (unweighted) and opacity */
+    uint16_t detail;         /* width in pixels up to which a voxel of a level above the finest is
+                                drawn instead of those that it is made of, Q8.8 */
+    qv_lighting lighting;
+    qv_view view;     /* its step is not read */
+    qv_volume volume; /* level 0. Its voxels are not read, and may be null */
+} qv_splat_scene;
+
+/* Directions of a volume, and what light from anywhere counts of a voxel's bytes; core/bearing.h. */
+typedef struct qv_compass {
+    uint32_t directions, side[3], inverse[8];
+    uint8_t nearest, any_length;
+} qv_compass;
+
+typedef struct qv_bearing {
+    uint32_t weight[3];
+    uint8_t slot[3], one;
+} qv_bearing;
+
+/* A checked scene, ready to draw. Plain data: it may be copied, and holds no pointer into
+   itself. Its fields are the library's own, core/splat.h. */
+typedef struct qv_splats {
+    qv_splat_scene scene;
+    int64_t across[3], down[3], ahead[3];
+    int64_t eye[3];
+    uint64_t centre;
+    uint32_t width, height;
+    uint32_t flat;
+    uint32_t unit, length;
+    uint8_t unit_shift;
+    uint32_t reach[QV_DIRECTIONS];
+    qv_bearing viewer;
+    qv_bearing lamp[QV_LAMPS_MAX];
+} qv_splats;
+
+/*
+ * The voxel of level 0 in which the eye of a scene lies. Returns 1, or 0 where it lies outside of
+ * the volume, the scene is orthographic or a pointer null; then position is left.
+ */
+int qv_splat_eye(uint16_t position[3], const qv_splat_scene *scene);
+
+/*
+ * Checks a scene and makes a qv_splats of it. A voxel of the finest level is 1/64 .. 4096 pixels
+ * wide and high in an orthographic view, or at the centre of the volume.
+ * Returns QV_OK or QV_ERROR_NULL, _STORAGE, _SIZE, _SPACING, _UNIT and _EXTINCTION (as qv_attenuate), _VIEW,
+ * _LEVEL, _LIGHT, _DIRECTION (set empty or with unknown bits, or, where nearest is 0, without a direction that
+ * the viewer or a lamp may need), _INSIDE (an eye in the volume, and light from some voxel
+ * that the frame may show comes to it by a direction whose byte in `inside` is 0).
+ */
+qv_status qv_splat_init(qv_splats *splats, const qv_splat_scene *scene);
+
+/* A voxel by itself, from wherever it came. */
+typedef struct qv_freevoxel {
+    qv_address voxel;       /* as the volume stores it; of level 1 and up, an entry of the channels
+                               of the volume or of its palette; aligned as there */
+    qv_address attenuation; /* its bytes, one for each direction of the set */
+    uint16_t position[3];   /* on its level */
+    uint8_t level;
+} qv_freevoxel;
+
+/*
+ * Adds a voxel to the sums (equation 10): colour * opacity * transmittance, spread by the kernel.
+ * Of voxels of several levels, it draws those of `coarsest` that are at most `detail` pixels wide, of the
+ * others' children those that are, and so on, down to all that remain of `level`: each place
+ * once, whatever is offered, in any order. What is not among them, has no opacity, lies
+ * outside of the frame, is less than 1/64 or more than 4096 pixels wide or not half a voxel in front of
+ * an eye, adds nothing.
+ *
+ * The opacity is that of the voxel's depth along a step towards the viewer, and the weights of a layer of voxels across the
+ * view sum to 1, so that in a homogeneous medium nothing is lost or counted twice, from any side. Weights of one splat
+ * sum to its area to 2^-14 pixel. A splat is within 2^-15 of itself and 2^-16 of a level a pixel,
+ * for the bytes as they are.
+ * Returns QV_OK or QV_ERROR_NULL, _SIZE (no voxel of that level has this position), _LEVEL (above 12),
+ * _RECT, _BUFFER (sums). Sums that are full are told by qv_sums_read_out.
+ */
+qv_status qv_splat(const qv_sums *sums, const qv_splats *splats, const qv_freevoxel *voxel);
+
+/*
+ * Adds a block of voxels of one level from memory, back to front, as qv_splatting_over wants it.
+ * `level` describes the voxels of that level (qv_pyramid_level; the volume itself for level 0).
+ * attenuation may be null where the splatting reads none and no lamp shines. Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check, _SIZE (also of the block), _LEVEL,
+ * _DIRECTION (not the scene's set), _ATTENUATION, _RECT, _BUFFER, _OVERLAP (sums and voxels).
+ */
+qv_status qv_splat_block(const qv_sums *sums, const qv_splats *splats, const qv_volume *level,
+                         const qv_attenuation *attenuation, uint8_t number, const qv_block *block);
+
+/*
+ * Adds voxels as they come: calls next, which fills in a voxel and returns 1, until it
+ * returns 0, or a negative qv_status of the caller's. What `voxel` points to must live until the next call.
+ * Returns QV_OK, that status, or the first error of qv_splat; what came before it has been added.
+ */
+qv_status qv_splat_stream(const qv_sums *sums, const qv_splats *splats,
+                          int (*next)(void *user, qv_freevoxel *voxel), void *user);
+
+/* Sets sums to nothing; of qv_splatting_over, to the scene's background. QV_OK or QV_ERROR_NULL,
+   _RECT, _BUFFER. */
+qv_status qv_sums_clear(const qv_sums *sums, const qv_splats *splats);
+
+/* Adds the sums of another part of the voxels, for the same rectangle. QV_OK or QV_ERROR_NULL,
+   _RECT (also of two sizes), _BUFFER, _OVERLAP. */
+qv_status qv_sums_add(const qv_sums *to, const qv_sums *from);
+
+/*
+ * The pass from sums to pixels: puts the background behind what was added, and stores the
+ * rectangle. Opacity is at most 1, and colours are at most the opacity. Returns QV_OK or QV_ERROR_NULL, _RECT, _BUFFER
+ * (of either), _SUMS (a sum is full).
+ */
+qv_status qv_sums_read_out(const qv_image *image, const qv_sums *sums, const qv_splats *splats);
 
 #ifdef __cplusplus
 }

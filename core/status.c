@@ -52,6 +52,16 @@ const char *qv_status_text(qv_status status)
         return "dither without a sequence or technique, or its period or slope out of range";
     case QV_ERROR_SLICE:
         return "slice out of range, or no slices";
+    case QV_ERROR_DIRECTION:
+        return "no direction, an unknown one, or one missing from the set";
+    case QV_ERROR_ATTENUATION:
+        return "attenuation records too short, or their memory too small";
+    case QV_ERROR_INSIDE:
+        return "eye in the volume where no light gets out of it";
+    case QV_ERROR_SUMS:
+        return "a sum of splats is full";
+    case QV_ERROR_OVERLAP:
+        return "memory that is written is also read";
     }
     return "unknown status";
 }

@@ -1,0 +1,268 @@
+#include "bearing.h"
+
+#include "direction.h"
+#include "fx_log.h"
+#include "fx_wide.h"
+#include "layout.h"
+#include "storage.h"
+
+/* Which axes a direction moves along: a bit each, 1 .. 7. */
+static unsigned axes_of(const int8_t step[3])
+{
+    return (step[0] != 0 ? 1u : 0u) | (step[1] != 0 ? 2u : 0u) | (step[2] != 0 ? 4u : 0u);
+}
+
+#define ONE_Q30 ((uint32_t)1 << 30)
+
+/* n / d for d of 32 bits. */
+static uint32_t quotient(uint64_t n, uint32_t d)
+{
+    unsigned cut = (unsigned)(d >> 31);
+    return (uint32_t)fx_divide(n >> cut, d >> cut);
+}
+
+void qv_compass_of(qv_compass *compass, const qv_volume *volume, uint32_t directions,
+                   uint8_t nearest)
+{
+    uint32_t longest = qv_direction_length(volume->spacing, QV_DIRECTIONS - 1u);
+    compass->directions = directions;
+    compass->nearest = nearest != 0;
+    compass->any_length = !qv_storage_extinction(volume->storage) && volume->unit_distance == 0;
+    for (unsigned axis = 0; axis < 3; axis++) /* shorter than the longest step */
+        compass->side[axis] =
+            quotient((uint64_t)qv_spacing(volume->spacing, axis) << (7 + 31), longest);
+    for (unsigned axes = 1; axes < 8; axes++) {
+        uint32_t v[3];
+        for (unsigned axis = 0; axis < 3; axis++)
+            v[axis] = (axes >> axis & 1u) != 0 ? compass->side[axis] : 0;
+        /* 1 to 256 * 16 * sqrt 3, below 2^13 */
+        compass->inverse[axes] = quotient((uint64_t)1 << (31 + 19), qv_length_of(v));
+    }
+}
+
+static uint32_t magnitude(int32_t v)
+{
+    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
+}
+
+/* The axes by falling magnitude; of equals, the lower first. */
+static void sort_axes(unsigned axis[3], const int32_t v[3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        unsigned place = i;
+        for (; place > 0 && magnitude(v[axis[place - 1u]]) < magnitude(v[i]); place--)
+            axis[place] = axis[place - 1u];
+        axis[place] = i;
+    }
+}
+
+/* part / whole as Q2.30 for part <= whole, whole in 2^30 .. 2^31: exactly 0 and 1, and
+   between them within 2^-20. */
+static uint32_t share_of(uint32_t part, uint32_t whole)
+{
+    if (part == whole)
+        return ONE_Q30;
+    uint64_t share = fx_wide_product(part, fx_reciprocal(whole)) >> 28; /* Q31 * Q27 to Q30 */
+    return share < ONE_Q30 ? (uint32_t)share : ONE_Q30;
+}
+
+/* Gives a direction, that of v on the first `count` of the axes, a share of the bearing. */
+static qv_status add_direction(qv_bearing *bearing, const qv_compass *compass, const int32_t v[3],
+                               const unsigned axis[3], unsigned count, uint32_t share)
+{
+    int8_t step[3] = {0, 0, 0};
+    bearing->slot[count - 1u] = 0;
+    bearing->weight[count - 1u] = 0;
+    if (share == 0)
+        return QV_OK;
+    for (unsigned i = 0; i < count; i++)
+        step[axis[i]] = v[axis[i]] < 0 ? -1 : 1;
+    uint8_t direction = qv_direction(step[0], step[1], step[2]);
+    if ((compass->directions >> direction & 1u) == 0)
+        return QV_ERROR_DIRECTION;
+    bearing->slot[count - 1u] = qv_direction_slot(compass->directions, direction);
+    uint32_t inverse = compass->any_length ? QV_BEARING_ONE : compass->inverse[axes_of(step)];
+    bearing->weight[count - 1u] = (uint32_t)(fx_wide_product(share, inverse) >> 30);
+    return QV_OK;
+}
+
+/* Light along one direction alone. */
+static void set_one(qv_bearing *bearing, uint8_t slot)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        bearing->slot[i] = slot;
+        bearing->weight[i] = i == 0 ? QV_BEARING_ONE : 0;
+    }
+    bearing->one = 1;
+}
+
+/* Between three directions. Where one has all of the share, its byte says it all. */
+static qv_status between(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
+                         const int32_t v[3])
+{
+    unsigned axis[3];
+    uint32_t share[4] = {ONE_Q30, 0, 0, 0}, way[3];
+    sort_axes(axis, v);
+    for (unsigned i = 1; i < 3; i++)
+        share[i] = share_of(magnitude(v[axis[i]]), magnitude(v[axis[0]]));
+    for (unsigned i = 0; i < 3; i++) /* share * side <= 2^30 * 2^31 */
+        way[i] = (uint32_t)(fx_wide_product(share[i], compass->side[axis[i]]) >> 30);
+    *length = qv_length_of(way);
+    for (unsigned i = 0; i < 3; i++) {
+        uint32_t own = share[i] > share[i + 1u] ? share[i] - share[i + 1u] : 0;
+        qv_status status = add_direction(bearing, compass, v, axis, i + 1u, own);
+        if (status != QV_OK)
+            return status;
+        if (own == ONE_Q30) {
+            set_one(bearing, bearing->slot[i]);
+            return QV_OK;
+        }
+    }
+    bearing->one = 0;
+    for (unsigned i = 0; !compass->any_length && i < 3; i++)
+        bearing->weight[i] = (uint32_t)(fx_wide_product(bearing->weight[i], *length) >> 31);
+    return QV_OK;
+}
+
+/*
+ * Of a direction's step, the length as part of the longest, Q1.31; and its cosine to w, in
+ * units of |w| * 2^-18. w is a vector in world units, up to 2^31 on each axis.
+ */
+static int64_t cosine_of(uint32_t *length, const qv_compass *compass, const int32_t w[3],
+                         uint8_t direction)
+{
+    int8_t step[3];
+    uint32_t way[3];
+    int64_t dot = 0; /* |dot| <= |w| * length <= sqrt 3 * 2^31 */
+    qv_direction_step(step, direction);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        way[axis] = step[axis] != 0 ? compass->side[axis] : 0;
+        int64_t product = (int64_t)(fx_wide_product(magnitude(w[axis]), way[axis]) >> 31);
+        dot += (w[axis] < 0) == (step[axis] < 0) ? product : -product;
+    }
+    *length = qv_length_of(way);
+    return fx_multiply(dot, (int32_t)(compass->inverse[axes_of(step)] >> 1)); /* < 2^32 * 2^31 */
+}
+
+/* The direction of the set that is nearest by angle; of equals, the one with the lowest number.
+   Cosines below 1/2 are refused. */
+static qv_status nearest(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
+                         const int32_t v[3])
+{
+    int32_t world[3];
+    uint32_t size[3];
+    for (unsigned axis = 0; axis < 3; axis++) {
+        size[axis] = (uint32_t)(fx_wide_product(magnitude(v[axis]), compass->side[axis]) >> 31);
+        world[axis] = v[axis] < 0 ? -(int32_t)size[axis] : (int32_t)size[axis];
+    }
+    int64_t best = (int64_t)((uint64_t)qv_length_of(size) << 17);
+    int found = 0;
+    for (uint8_t direction = 0; direction < QV_DIRECTIONS; direction++) {
+        uint32_t way;
+        if ((compass->directions >> direction & 1u) == 0)
+            continue;
+        int64_t cosine = cosine_of(&way, compass, world, direction);
+        if (cosine <= best)
+            continue;
+        best = cosine;
+        *length = way;
+        set_one(bearing, qv_direction_slot(compass->directions, direction));
+        found = 1;
+    }
+    return found ? QV_OK : QV_ERROR_DIRECTION;
+}
+
+qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
+                        const int32_t v[3])
+{
+    return compass->nearest ? nearest(bearing, length, compass, v)
+                            : between(bearing, length, compass, v);
+}
+
+/* Whether `sign` * v on one axis is more than `other_sign` * v on another, for some corner. */
+static int somewhere(const int32_t corner[4][3], unsigned axis, int sign, unsigned other,
+                     int other_sign)
+{
+    for (unsigned i = 0; i < 4; i++)
+        if ((int64_t)sign * corner[i][axis] > (int64_t)other_sign * corner[i][other])
+            return 1;
+    return 0;
+}
+
+/*
+ * A direction has a share in v where v goes its way on each of its axes, by more than it goes on
+ * any other axis: linear conditions on v. One that holds at no corner holds nowhere between
+ * them.
+ */
+static int has_share(const int32_t corner[4][3], const int8_t step[3])
+{
+    for (unsigned axis = 0; axis < 3; axis++) {
+        if (step[axis] == 0)
+            continue;
+        if (!somewhere(corner, axis, step[axis], axis, 0))
+            return 0;
+        for (unsigned other = 0; other < 3; other++)
+            if (step[other] == 0 && !(somewhere(corner, axis, step[axis], other, 1) &&
+                                      somewhere(corner, axis, step[axis], other, -1)))
+                return 0;
+    }
+    return 1;
+}
+
+uint32_t qv_bearing_reach(const int32_t corner[4][3])
+{
+    uint32_t reach = 0;
+    for (uint8_t direction = 0; direction < QV_DIRECTIONS; direction++) {
+        int8_t step[3];
+        qv_direction_step(step, direction);
+        if (has_share(corner, step))
+            reach |= (uint32_t)1 << direction;
+    }
+    return reach;
+}
+
+int qv_bearing_scale(int32_t scaled[3], const int64_t v[3])
+{
+    uint64_t size[3], all = 0;
+    int halved = 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        size[axis] = v[axis] < 0 ? 0u - (uint64_t)v[axis] : (uint64_t)v[axis];
+        all |= size[axis];
+    }
+    for (; all >> 31 != 0; all >>= 1)
+        halved++;
+    for (; all >> 30 == 0; all <<= 1)
+        halved--;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        uint64_t part = halved < 0 ? size[axis] << -halved : size[axis] >> halved;
+        scaled[axis] = v[axis] < 0 ? -(int32_t)part : (int32_t)part;
+    }
+    return halved;
+}
+
+/* Depth of a byte, Q8.24: 257 times a byte is the same transmittance of 16 bits. */
+static uint32_t depth_of(uint8_t byte)
+{
+    return byte == 0 ? QV_HIDDEN : fx_extinction_of_unorm16((fx_unorm16)(257u * (255u - byte)));
+}
+
+/* Sum of a bearing's depths, Q.43: weights are below 3 * 2^13 in all, depths at most 10. */
+static uint64_t depth_along(const qv_bearing *bearing, qv_address bytes)
+{
+    uint64_t depth = 0;
+    for (unsigned i = 0; i < 3; i++)
+        if (bearing->weight[i] != 0)
+            depth += fx_wide_product(bearing->weight[i],
+                                     depth_of(qv_read8(qv_at(bytes, bearing->slot[i]))));
+    return depth;
+}
+
+uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside)
+{
+    if (bearing->one && !inside)
+        return 0x01010101u * qv_read8(qv_at(bytes, bearing->slot[0]));
+    uint64_t depth = depth_along(bearing, bytes);
+    uint64_t less = inside ? depth_along(bearing, inside) : 0;
+    uint32_t clear = fx_transmittance(depth > less ? (depth - less) >> 11 : 0);
+    return (clear << 1) - (clear >> 31); /* Q1.31 to Q0.32; 2^31 becomes 2^32 - 1 */
+}

@@ -1,0 +1,50 @@
+/*
+ * bearing.h - light that comes from anywhere, by the bytes of the directions round it.
+ *
+ * A vector v, in voxels, whose magnitudes on the axes are a >= b >= c, lies between three
+ * directions: along the first axis, along the first two, along all three. As
+ * v = (a - b) d1 + (b - c) d2 + c d3, a light that comes along v crosses a layer of voxels where
+ * each of the three does. Depths per layer, that is depths D by the length L of a step, are
+ * interpolated with these shares of a, and multiplied by the length of v's own step.
+ */
+#ifndef QV_BEARING_H
+#define QV_BEARING_H
+
+#include "fx_inline.h"
+#include "access.h"
+#include "qvol.h"
+
+/* Unit of qv_bearing.weight, Q13.19. */
+#define QV_BEARING_ONE 0x80000u
+
+/* Depth of a byte of 0 between other directions, Q8.24: 10, a quarter of a byte's step. */
+#define QV_HIDDEN ((uint32_t)10 << 24)
+
+/* Prepares what bearings in a volume of this spacing have in common. */
+void qv_compass_of(qv_compass *compass, const qv_volume *volume, uint32_t directions,
+                   uint8_t nearest);
+
+/*
+ * The bearing of v, whose largest magnitude is 2^30 .. 2^31. Sets length to that of a step along it, as
+ * part of the longest, Q1.31; of `nearest`, to that of the direction taken. QV_OK, or QV_ERROR_DIRECTION where a
+ * direction with a share is not in the set, or the nearest is more than 60 degrees off.
+ */
+qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
+                        const int32_t v[3]);
+
+/* The directions, of all 26, that have a share in some vector between four corners: those, and
+   perhaps a few more. */
+uint32_t qv_bearing_reach(const int32_t corner[4][3]);
+
+/*
+ * Transmittance along a bearing for a voxel with these bytes, Q0.32 with 2^32 - 1 for 1. `inside`:
+ * null, or the bytes of the voxel up to which light is followed (section 3.3: A_B / A_V). Of one
+ * direction it is the byte itself; between three, within 2^-17.
+ */
+uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside);
+
+/* v, halved or doubled until its largest magnitude is 2^30 .. 2^31 - 1; how often it was halved (or,
+   negative, doubled). v is not 0. */
+int qv_bearing_scale(int32_t scaled[3], const int64_t v[3]);
+
+#endif /* QV_BEARING_H */

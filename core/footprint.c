@@ -1,0 +1,80 @@
+#include "kernel.h"
+
+#include "fx_log.h"
+#include "fx_wide.h"
+
+#define HALF_PIXEL 0x8000
+
+void qv_footprint_of(qv_footprint *footprint, const qv_kernel *kernel, int64_t centre,
+                     uint32_t size)
+{
+    uint32_t half = size / 2u * kernel->halves; /* 2^10 .. 3 * 2^27 */
+    footprint->kernel = kernel;
+    footprint->centre = centre;
+    footprint->size = size;
+    footprint->half = half;
+    footprint->shift = 0;
+    for (; half >> 30 == 0; half <<= 1)
+        footprint->shift++; /* at most 20 */
+    footprint->reciprocal = fx_reciprocal(half);
+}
+
+static int32_t clamp(int64_t v, int32_t least, int32_t most)
+{
+    if (v < least)
+        return least;
+    return v > most ? most : (int32_t)v;
+}
+
+/* Pixel k reaches from k - 1/2 to k + 1/2. */
+void qv_footprint_range(int32_t *first, int32_t *end, const qv_footprint *footprint, int32_t from,
+                        int32_t to)
+{
+    int64_t middle = footprint->centre + HALF_PIXEL;
+    *first = clamp(fx_shift_floor(middle - footprint->half, 16), from, to);
+    *end = clamp(fx_shift_floor(middle + footprint->half - 1, 16) + 1, from, to);
+}
+
+/* The integral of the kernel from its middle to a part of half its width, Q.8 of
+   QV_KERNEL_PARTS; linear between entries. Q0.24. */
+static uint32_t integral(const qv_kernel *kernel, uint32_t part)
+{
+    uint32_t entry = part >> 8;
+    if (entry >= QV_KERNEL_PARTS)
+        return (uint32_t)1 << 23;
+    uint32_t lower = fx_table16(kernel->integral + entry);
+    uint32_t rise = fx_table16(kernel->integral + entry + 1u) - lower; /* < 2^11 */
+    return (lower << 8) + rise * (part & 255u);
+}
+
+/* The integral from the middle to an edge left of a pixel, times the voxel's size: Q1.15 a
+   pixel, below 2^27 in magnitude. */
+static int32_t edge(const qv_footprint *footprint, int32_t pixel)
+{
+    int64_t way = (int64_t)pixel * 65536 - HALF_PIXEL - footprint->centre;
+    uint64_t distance = way < 0 ? 0u - (uint64_t)way : (uint64_t)way;
+    uint32_t share = (uint32_t)1 << 23;
+    if (distance < footprint->half) {
+        /* distance / half: Q27 by Q31, less the shift, to Q14 */
+        uint64_t quotient = fx_wide_product((uint32_t)distance, footprint->reciprocal);
+        share = integral(footprint->kernel, (uint32_t)(quotient >> (44u - footprint->shift)));
+    }
+    int32_t part = (int32_t)(fx_wide_product(footprint->size, share) >> 25);
+    return way < 0 ? -part : part;
+}
+
+uint16_t qv_footprint_weight(const qv_footprint *footprint, int32_t pixel)
+{
+    return (uint16_t)(edge(footprint, pixel + 1) - edge(footprint, pixel));
+}
+
+void qv_footprint_weights(uint16_t *weights, const qv_footprint *footprint, int32_t pixel,
+                          unsigned count)
+{
+    int32_t left = edge(footprint, pixel);
+    for (unsigned i = 0; i < count; i++) {
+        int32_t right = edge(footprint, pixel + 1 + (int32_t)i);
+        weights[i] = (uint16_t)(right - left);
+        left = right;
+    }
+}

@@ -1,0 +1,68 @@
+#include "lighting.h"
+
+#include "fx_wide.h"
+#include "layout.h"
+
+#define FULL 65535u
+
+qv_status qv_lighting_check(const qv_lighting *lighting)
+{
+    if (lighting->count > QV_LAMPS_MAX)
+        return QV_ERROR_LIGHT;
+    for (unsigned i = 0; i < lighting->count; i++) {
+        const int16_t *to = lighting->lamps[i].direction;
+        if (to[0] == 0 && to[1] == 0 && to[2] == 0)
+            return QV_ERROR_LIGHT;
+    }
+    return QV_OK;
+}
+
+/* A world direction in voxels: at most 2^15 * 2^40 / 2^12. */
+static void to_voxels(int64_t v[3], const int16_t direction[3], const uint32_t spacing[3])
+{
+    for (unsigned axis = 0; axis < 3; axis++) {
+        int32_t part = direction[axis];
+        uint64_t size = (uint64_t)(part < 0 ? -part : part) << 40;
+        int64_t voxels = (int64_t)fx_divide(size, qv_spacing(spacing, axis));
+        v[axis] = part < 0 ? -voxels : voxels;
+    }
+}
+
+qv_status qv_lighting_bearings(qv_bearing lamp[QV_LAMPS_MAX], const qv_lighting *lighting,
+                               const qv_compass *compass, const uint32_t spacing[3])
+{
+    qv_status status = QV_OK;
+    for (unsigned i = 0; status == QV_OK && i < lighting->count; i++) {
+        int64_t v[3];
+        int32_t scaled[3];
+        uint32_t length;
+        to_voxels(v, lighting->lamps[i].direction, spacing);
+        (void)qv_bearing_scale(scaled, v);
+        status = qv_bearing_of(&lamp[i], &length, compass, scaled);
+    }
+    return status;
+}
+
+/* Whether nothing is said of light, so that colours stay as they are. */
+static int is_dark(const qv_lighting *lighting)
+{
+    const uint16_t *ambient = lighting->ambient;
+    return lighting->count == 0 && ambient[0] == 0 && ambient[1] == 0 && ambient[2] == 0;
+}
+
+void qv_lighting_colour(fx_unorm16 colour[3], const qv_lighting *lighting,
+                        const qv_bearing lamp[QV_LAMPS_MAX], qv_address bytes)
+{
+    uint32_t light[3];
+    if (is_dark(lighting))
+        return;
+    for (unsigned c = 0; c < 3; c++)
+        light[c] = lighting->ambient[c];
+    for (unsigned i = 0; i < lighting->count; i++) {
+        uint32_t clear = qv_bearing_transmittance(&lamp[i], bytes, 0);
+        for (unsigned c = 0; c < 3; c++)
+            light[c] += fx_high_product(clear, lighting->lamps[i].colour[c]); /* <= 5 * FULL */
+    }
+    for (unsigned c = 0; c < 3; c++)
+        colour[c] = fx_unorm16_mul(colour[c], (fx_unorm16)(light[c] < FULL ? light[c] : FULL));
+}
