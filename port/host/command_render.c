@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "error.h"
 #include "frame_file.h"
+#include "illuminate.h"
 #include "report.h"
 #include "sampling.h"
 #include "scene.h"
@@ -25,6 +26,17 @@ static void convert_opacities(struct model *model, const struct settings *settin
     model_hold_steps(model, scene_step(scalars->size, scalars->spacing, settings));
 }
 
+/* Lit voxels are entries, whatever they were. */
+static void light_voxels(qv_scene *scene, struct model *model, const struct settings *settings)
+{
+    qv_volume *volume = &scene->volume;
+    if (settings->lighting.count == 0) {
+        return;
+    }
+    illuminate(volume, model, scene_step(volume->size, volume->spacing, settings), settings);
+    scene->sampling = sampling_choose(settings, model->storage);
+}
+
 /* The picture gets its name last: where it is, its report is too. */
 int command_render(const struct settings *settings)
 {
@@ -42,6 +54,7 @@ int command_render(const struct settings *settings)
     scene.sampling = sampling_choose(settings, model.storage);
     convert_opacities(&model, settings);
     model_volume(&scene.volume, &model, settings);
+    light_voxels(&scene, &model, settings);
     if (settings->level_given) {
         levels_create(&levels, &scene.volume, &model, settings);
         scene.pyramid = &levels.pyramid;

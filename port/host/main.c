@@ -61,8 +61,8 @@ static const struct command commands[] = {
      INPUT_DETAILS "\n" TRANSFER_DETAILS "\n" SAMPLING_DETAILS "\n" SLICE_DETAILS "\n" LEVEL_DETAILS
                    "--level takes those, or makes them. auto: a pixel is as wide as a voxel of its "
                    "level.\n" PICTURE_DETAILS,
-     GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_FRAME | GROUP_PICTURE | GROUP_OUTPUT |
-         GROUP_REPORT | GROUP_THREADS | GROUP_COMMON | GROUP_LEVELS,
+     GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_FRAME | GROUP_PICTURE | GROUP_LIGHTING |
+         GROUP_OUTPUT | GROUP_REPORT | GROUP_THREADS | GROUP_COMMON | GROUP_LEVELS,
      1, command_render},
     {"qvol info", "IN [options]", "Tells size, type, spacing, orientation, range and histogram.",
      INPUT_DETAILS, GROUP_INPUT | GROUP_REPORT | GROUP_COMMON, 1, command_info},

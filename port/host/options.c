@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define OPTIONS_MOST 64
+#define OPTIONS_MOST 80
 /* Values of getopt_long beyond those of letters. */
 #define HELP_VALUE    1000
 #define VERSION_VALUE 1001

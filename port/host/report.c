@@ -3,6 +3,7 @@
  */
 #include "report.h"
 #include "crc32.h"
+#include "lighting.h"
 #include "report_slices.h"
 #include "sampling.h"
 
@@ -137,6 +138,11 @@ void report_scene(output *out, const struct model *model, const qv_scene *scene,
         report_levels(&json, levels, &scene->volume, model, 0);
     }
     report_camera(&json, scene, view);
+    if (settings->lighting.count != 0) {
+        qv_lighting lighting;
+        lighting_create(&lighting, settings);
+        report_lighting(&json, &lighting);
+    }
     report_sampling(&json, scene, view, model, settings);
     if (slicing != NULL) {
         report_slices(&json, slicing, frame, settings);
