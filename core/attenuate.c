@@ -17,7 +17,7 @@
  * on y where light moves along x alone. Where it moves along that axis too, rows of a bundle slide
  * over it, and lines come in, and end, one after another.
  */
-#define LINES 16u
+#define LINES 16
 
 typedef struct bundle {
     fx_depth depth[LINES]; /* of all voxels that a line has passed, from 0 outside */
@@ -34,109 +34,162 @@ typedef struct pass {
     uint8_t beside, next, last; /* axes: that of a bundle's lines, and the other two */
 } pass;
 
+/* ---- Rows --------------------------------------------------------------------- */
+
+/* Lines first .. end - 1 of a bundle, of which the first has come to this voxel. */
+typedef struct row {
+    uint16_t first, end;
+    uint16_t voxel[3];
+} row;
+
+/* Lines follow each other as places do, so against the voxels where the direction is positive. */
+static void find_voxel(uint16_t voxel[3], const row *r, unsigned line, const pass *p)
+{
+    uint16_t ahead = (uint16_t)(line - r->first);
+    memcpy(voxel, r->voxel, sizeof r->voxel);
+    voxel[p->beside] =
+        (uint16_t)(p->step[p->beside] > 0 ? voxel[p->beside] - ahead : voxel[p->beside] + ahead);
+}
+
+static void write_in_order(const bundle *b, const row *r, const pass *p)
+{
+    for (unsigned line = r->first; line < r->end; line++) {
+        uint16_t voxel[3];
+        find_voxel(voxel, r, line, p);
+        p->target.first[qv_target_offset(&p->target, voxel)] = b->byte[line];
+    }
+}
+
+/* The same in linear order, without an index for each: offsets are modulo 2^n of size_t. */
+static void write_linear(const bundle *b, const row *r, const pass *p)
+{
+    size_t offset = qv_target_offset(&p->target, r->voxel), next = p->target.record;
+    if (p->beside != 0)
+        next *= p->target.size[0];
+    if (p->step[p->beside] > 0)
+        next = 0u - next;
+    for (unsigned line = r->first; line < r->end; line++, offset += next)
+        p->target.first[offset] = b->byte[line];
+}
+
 #define BLOCK_SHIFT (32u - QV_BLOCK_FRACTION) /* depths are Q32.32 */
 
-static void add_to_block(const pass *p, const uint16_t position[3], fx_depth depth)
+static void add_to_blocks(const bundle *b, const row *r, const pass *p)
 {
-    if (depth > FX_OPAQUE_DEPTH)
-        depth = FX_OPAQUE_DEPTH;
-    p->blocks[qv_block_index(p->volume->size, position)] +=
-        (uint32_t)((depth + ((fx_depth)1 << (BLOCK_SHIFT - 1u))) >> BLOCK_SHIFT);
+    for (unsigned line = r->first; line < r->end; line++) {
+        uint16_t voxel[3];
+        fx_depth depth = b->depth[line] < FX_OPAQUE_DEPTH ? b->depth[line] : FX_OPAQUE_DEPTH;
+        find_voxel(voxel, r, line, p);
+        p->blocks[qv_block_index(p->volume->size, voxel)] +=
+            (uint32_t)((depth + ((fx_depth)1 << (BLOCK_SHIFT - 1u))) >> BLOCK_SHIFT);
+    }
+}
+
+/* From the first voxel to that of a row, and from there to that of the next line. */
+static qv_offset find_offset(qv_offset *next, const row *r, const pass *p)
+{
+    const int32_t *stride = p->volume->stride;
+    qv_offset offset = 0;
+    for (unsigned axis = 0; axis < 3; axis++)
+        offset += (qv_offset)r->voxel[axis] * (qv_offset)stride[axis];
+    *next = p->step[p->beside] > 0 ? -(qv_offset)stride[p->beside] : (qv_offset)stride[p->beside];
+    return offset;
+}
+
+/* The light passes the row. Most voxels are empty. A line of 2^12 is less deep than 2^62 of
+   Q32.32. What does not change is kept where the stores of bytes cannot reach it. */
+static void pass_voxels(bundle *b, const row *r, const pass *p)
+{
+    const qv_volume *volume = p->volume;
+    const qv_thickness thickness = p->thickness;
+    const unsigned storage = volume->storage, end = r->end;
+    qv_offset next, offset = find_offset(&next, r, p);
+    for (unsigned line = r->first; line < end; line++, offset += next) {
+        qv_address entry = qv_entry(qv_at(volume->voxels, offset), volume, storage);
+        fx_unorm16 fourth = qv_entry_fourth(entry, storage);
+        if (fourth == 0)
+            continue;
+        b->depth[line] += qv_thickness_depth(&thickness, p->domain->weight(fourth));
+        if (b->byte[line] != 0)
+            b->byte[line] = qv_attenuation_byte(b->depth[line]);
+    }
+}
+
+static void pass_row(bundle *b, const row *r, const pass *p)
+{
+    if (p->target.order == &qv_order_linear)
+        write_linear(b, r, p);
+    else
+        write_in_order(b, r, p);
+    if (p->blocks)
+        add_to_blocks(b, r, p);
+    pass_voxels(b, r, p);
 }
 
 /* ---- Lines -------------------------------------------------------------------- */
 
-static uint16_t position_of(const pass *p, const uint16_t place[3], unsigned axis)
+/* The row of a bundle so many rows behind its begin, where its first line may lie outside.
+   Returns 0 where none of its lines is in the volume. */
+static int find_row(row *r, const pass *p, const int32_t begin[3], uint32_t rows)
 {
-    return p->step[axis] > 0 ? (uint16_t)(p->volume->size[axis] - 1u - place[axis]) : place[axis];
+    const uint16_t *size = p->volume->size;
+    int32_t place[3];
+    for (unsigned axis = 0; axis < 3; axis++)
+        place[axis] = begin[axis] + (p->step[axis] != 0 ? (int32_t)rows : 0);
+    int32_t first = place[p->beside] < 0 ? -place[p->beside] : 0;
+    int32_t end = size[p->beside] - place[p->beside];
+    r->first = (uint16_t)first;
+    r->end = (uint16_t)(end < LINES ? end : LINES);
+    place[p->beside] += first;
+    for (unsigned axis = 0; axis < 3; axis++)
+        r->voxel[axis] = (uint16_t)(p->step[axis] > 0 ? size[axis] - 1 - place[axis] : place[axis]);
+    return first < end && first < LINES;
 }
 
-/* Light passes a voxel. Most are empty. A line of 2^12 voxels is less deep than 2^62 of Q32.32. */
-static void pass_voxel(bundle *b, unsigned line, const pass *p, qv_address voxel)
-{
-    unsigned storage = p->volume->storage;
-    fx_unorm16 fourth = qv_entry_fourth(qv_entry(voxel, p->volume, storage), storage);
-    if (fourth == 0)
-        return;
-    b->depth[line] += qv_thickness_depth(&p->thickness, p->domain->weight(fourth));
-    if (b->byte[line] != 0)
-        b->byte[line] = qv_attenuation_byte(b->depth[line]);
-}
-
-/* A row of a bundle: lines first .. end - 1, the first of which has come to this place. */
-static void pass_row(bundle *b, unsigned first, unsigned end, const pass *p,
-                     const uint16_t place[3])
-{
-    uint16_t position[3];
-    qv_offset offset = 0;
-    for (unsigned axis = 0; axis < 3; axis++) {
-        position[axis] = position_of(p, place, axis);
-        offset += (qv_offset)position[axis] * (qv_offset)p->volume->stride[axis];
-    }
-    uint16_t turn = p->step[p->beside] > 0 ? 0xFFFFu : 1u; /* -1 modulo 2^16 */
-    qv_offset stride = (qv_offset)p->volume->stride[p->beside];
-    for (unsigned line = first; line < end; line++) {
-        *qv_target_byte(&p->target, position) = b->byte[line];
-        if (p->blocks)
-            add_to_block(p, position, b->depth[line]);
-        pass_voxel(b, line, p, qv_at(p->volume->voxels, offset));
-        position[p->beside] = (uint16_t)(position[p->beside] + turn);
-        offset = turn == 1u ? offset + stride : offset - stride;
-    }
-}
-
-/* Rows 0 .. rows - 1 of lines that begin at `first` on their axis, which may be outside. */
-static void pass_bundle(const pass *p, int32_t first, const uint16_t begin[3], uint32_t rows)
+static void pass_bundle(const pass *p, const int32_t begin[3], uint32_t rows)
 {
     bundle b;
-    uint16_t place[3] = {begin[0], begin[1], begin[2]};
-    int32_t size = p->volume->size[p->beside], slide = p->step[p->beside] != 0;
+    row r;
     for (unsigned line = 0; line < LINES; line++) {
         b.depth[line] = 0;
         b.byte[line] = 255;
     }
-    for (uint32_t row = 0; row < rows && first < size; row++, first += slide) {
-        unsigned from = first < 0 ? (unsigned)-first : 0;
-        unsigned end = size - first < (int32_t)LINES ? (unsigned)(size - first) : LINES;
-        if (from < end) {
-            place[p->beside] = (uint16_t)(first + (int32_t)from);
-            pass_row(&b, from, end, p, place);
-        }
-        place[p->next] = (uint16_t)(place[p->next] + (p->step[p->next] != 0));
-        place[p->last] = (uint16_t)(place[p->last] + (p->step[p->last] != 0));
-    }
+    for (uint32_t i = 0; i < rows; i++)
+        if (find_row(&r, p, begin, i))
+            pass_row(&b, &r, p);
 }
 
-/* Rows from a place to where light leaves the volume on one of two axes; 0 where it does not come
-   in there. */
-static uint32_t rows_from(const pass *p, const uint16_t place[3])
+/* All bundles that begin in a row. Those that slide begin up to so many rows outside. */
+static void pass_bundles(const pass *p, int32_t begin[3], uint32_t rows)
 {
-    uint32_t rows = QV_AXIS_MAX;
-    int enters = 0;
+    int32_t outside = p->step[p->beside] != 0 ? (int32_t)rows - 1 : 0;
+    for (begin[p->beside] = -outside; begin[p->beside] < p->volume->size[p->beside];
+         begin[p->beside] += LINES)
+        pass_bundle(p, begin, rows);
+}
+
+/* Rows from a place on, until light leaves the volume; 0 where it does not come in there. */
+static uint32_t rows_from(const pass *p, const int32_t begin[3])
+{
     const uint8_t axes[2] = {p->next, p->last};
+    int32_t rows = QV_AXIS_MAX;
+    int enters = 0;
     for (unsigned i = 0; i < 2; i++) {
-        uint32_t left = (uint32_t)p->volume->size[axes[i]] - place[axes[i]];
+        int32_t left = p->volume->size[axes[i]] - begin[axes[i]];
         if (p->step[axes[i]] == 0)
             continue;
         rows = left < rows ? left : rows;
-        enters |= place[axes[i]] == 0;
+        enters |= begin[axes[i]] == 0;
     }
-    return enters ? rows : 0;
-}
-
-/* All bundles that begin in one row; those that slide begin up to a row's length outside. */
-static void pass_bundles(const pass *p, const uint16_t begin[3], uint32_t rows)
-{
-    int32_t slide = p->step[p->beside] != 0 ? (int32_t)rows - 1 : 0;
-    for (int32_t first = -slide; first < p->volume->size[p->beside]; first += (int32_t)LINES)
-        pass_bundle(p, first, begin, rows);
+    return enters ? (uint32_t)rows : 0;
 }
 
 static void pass_volume(const pass *p)
 {
-    uint16_t begin[3] = {0, 0, 0};
-    for (begin[p->last] = 0; begin[p->last] < p->volume->size[p->last]; begin[p->last]++)
-        for (begin[p->next] = 0; begin[p->next] < p->volume->size[p->next]; begin[p->next]++) {
+    const uint16_t *size = p->volume->size;
+    int32_t begin[3];
+    for (begin[p->last] = 0; begin[p->last] < size[p->last]; begin[p->last]++)
+        for (begin[p->next] = 0; begin[p->next] < size[p->next]; begin[p->next]++) {
             uint32_t rows = rows_from(p, begin);
             if (rows != 0)
                 pass_bundles(p, begin, rows);

@@ -81,7 +81,7 @@ qv_status qv_attenuate_level(void *to, size_t bytes, const qv_attenuation *atten
         for (at[1] = 0; at[1] < end[1]; at[1]++)
             for (at[0] = 0; at[0] < end[0]; at[0]++) {
                 fx_depth depth = mean_depth(blocks, size, level, at);
-                *qv_target_byte(&target, at) = qv_attenuation_byte(depth);
+                target.first[qv_target_offset(&target, at)] = qv_attenuation_byte(depth);
             }
     return QV_OK;
 }

@@ -47,10 +47,10 @@ qv_status qv_target_init(qv_target *target, void *to, size_t bytes,
                          const qv_attenuation *attenuation, const uint16_t size[3],
                          uint8_t direction);
 
-/* The byte of a voxel. */
-static inline uint8_t *qv_target_byte(const qv_target *target, const uint16_t position[3])
+/* From there to that of a voxel. */
+static inline size_t qv_target_offset(const qv_target *target, const uint16_t position[3])
 {
-    return target->first + (size_t)target->order->index(target->size, position) * target->record;
+    return (size_t)target->order->index(target->size, position) * target->record;
 }
 
 /* ---- Blocks ------------------------------------------------------------------- */
