@@ -1288,16 +1288,12 @@ typedef struct qv_bearing {
    itself. Its fields are the library's own, core/splat.h. */
 typedef struct qv_splats {
     qv_splat_scene scene;
-    int64_t across[3], down[3], ahead[3];
-    int64_t eye[3];
-    uint64_t centre;
-    uint32_t width, height;
-    uint32_t flat;
-    uint32_t unit, length;
-    uint8_t unit_shift;
-    uint32_t reach[QV_DIRECTIONS];
-    qv_bearing viewer;
-    qv_bearing lamp[QV_LAMPS_MAX];
+    qv_compass compass;
+    qv_bearing viewer, lamp[QV_LAMPS_MAX];
+    int64_t across[3], down[3], ahead[3], eye[3], distance;
+    uint32_t mantissa[4], factor, size[2], gain, length;
+    int16_t exponent[4];
+    uint8_t shift, drawn;
 } qv_splats;
 
 /*
