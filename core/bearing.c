@@ -256,10 +256,21 @@ static uint64_t depth_along(const qv_bearing *bearing, qv_address bytes)
     return depth;
 }
 
+/* Whether all of the bytes that count are 0. */
+static int is_hidden(const qv_bearing *bearing, qv_address bytes)
+{
+    for (unsigned i = 0; i < 3; i++)
+        if (bearing->weight[i] != 0 && qv_read8(qv_at(bytes, bearing->slot[i])) != 0)
+            return 0;
+    return 1;
+}
+
 uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside)
 {
     if (bearing->one && !inside)
         return 0x01010101u * qv_read8(qv_at(bytes, bearing->slot[0]));
+    if (is_hidden(bearing, bytes))
+        return 0;
     uint64_t depth = depth_along(bearing, bytes);
     uint64_t less = inside ? depth_along(bearing, inside) : 0;
     uint32_t clear = fx_transmittance(depth > less ? (depth - less) >> 11 : 0);
