@@ -105,13 +105,20 @@ static const struct command commands[] = {
      GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_LEVELS | GROUP_FREEVOXEL | GROUP_OUTPUT |
          GROUP_REPORT | GROUP_THREADS | GROUP_COMMON,
      1, command_freevoxel},
+    {"qvol splat", "FILE -o OUT [options]", "Draws a file of qvol freevoxel, voxel by voxel.",
+     "Voxels are added in the file's order, whatever it is: sums of integers do not depend on it.\n"
+     "--splatting over blends them back to front, as hardware does, and takes no notice of the\n"
+     "light that was kept: where splats overlap, too much is lost.\n" PICTURE_DETAILS,
+     GROUP_VIEW | GROUP_FRAME | GROUP_SPLAT | GROUP_LIGHTING | GROUP_OUTPUT | GROUP_REPORT |
+         GROUP_THREADS | GROUP_COMMON,
+     1, command_splat},
 };
 
 #define COMMANDS ((int)(sizeof commands / sizeof commands[0]))
 /* Past "qvol ". */
 #define NAME_OFFSET 5
 
-#define COMMAND_NAMES "render, info, compare, classify, pyramid or freevoxel"
+#define COMMAND_NAMES "render, info, compare, classify, pyramid, freevoxel or splat"
 
 static void print_overview(void)
 {
