@@ -134,19 +134,6 @@ static void print_overview(void)
     finish_output();
 }
 
-static void set_defaults(struct settings *settings)
-{
-    memset(settings, 0, sizeof *settings);
-    settings->size[0] = settings->size[1] = 512;
-    settings->light[0] = -40;
-    settings->light[1] = 40;
-    settings->zoom = 1;
-    settings->step = 1;
-    settings->termination = -1;
-    settings->background[3] = 255;
-    settings->gain = 16;
-}
-
 static const struct command *find_command(const char *name)
 {
     for (int i = 0; i < COMMANDS; i++) {
@@ -173,7 +160,6 @@ int main(int argc, char **argv)
     }
     command = find_command(argv[1]);
     error_set_command(command->name);
-    set_defaults(&settings);
     options_read(&settings, command, argc - 1, argv + 1);
     return command->run(&settings);
 }
