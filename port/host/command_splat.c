@@ -18,6 +18,7 @@ int command_splat(const struct settings *settings)
     struct view view;
     qv_splats splats;
     output picture, report;
+    struct json json;
     uint64_t drawn;
     frame_create(&frame, settings);
     freevoxel_file_open(&file, settings->operands[0]);
@@ -27,7 +28,9 @@ int command_splat(const struct settings *settings)
     frame_file_write(&picture, &frame, writer);
     if (settings->json != NULL) {
         output_open(&report, settings->json);
-        report_splats(&report, &file, &splats, &view, &frame, drawn, settings);
+        json_begin(&json, &report);
+        report_splats(&json, &file, &splats, &view, &frame, drawn, settings);
+        json_end(&json);
         output_commit(&report);
     }
     output_commit(&picture);

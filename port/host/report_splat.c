@@ -38,22 +38,19 @@ static void report_memory(struct json *json, const struct freevoxel_file *file,
     json_close(json);
 }
 
-void report_splats(output *out, const struct freevoxel_file *file, const qv_splats *splats,
+void report_splats(struct json *json, const struct freevoxel_file *file, const qv_splats *splats,
                    const struct view *view, const struct frame *frame, uint64_t drawn,
                    const struct settings *settings)
 {
     const qv_splat_scene *scene = &splats->scene;
-    struct json json;
-    json_begin(&json, out);
-    report_freevoxel_file(&json, file);
-    report_view(&json, view);
-    report_splatting(&json, scene, settings);
-    report_lighting(&json, &scene->lighting);
-    report_frame(&json, scene->background, frame);
-    report_memory(&json, file, frame);
-    json_object(&json, "statistics");
-    json_unsigned(&json, "voxels", drawn);
-    json_decimal(&json, "seconds", frame->seconds);
-    json_close(&json);
-    json_end(&json);
+    report_freevoxel_file(json, file);
+    report_view(json, view);
+    report_splatting(json, scene, settings);
+    report_lighting(json, &scene->lighting);
+    report_frame(json, scene->background, frame);
+    report_memory(json, file, frame);
+    json_object(json, "statistics");
+    json_unsigned(json, "voxels", drawn);
+    json_decimal(json, "seconds", frame->seconds);
+    json_close(json);
 }

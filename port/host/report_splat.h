@@ -6,9 +6,10 @@
 
 #include "frame.h"
 #include "freevoxel_file.h"
+#include "json.h"
 #include "scene.h"
 
-void report_splats(output *out, const struct freevoxel_file *file, const qv_splats *splats,
+void report_splats(struct json *json, const struct freevoxel_file *file, const qv_splats *splats,
                    const struct view *view, const struct frame *frame, uint64_t drawn,
                    const struct settings *settings);
 
