@@ -8,7 +8,7 @@ from volumes import *
 write("in_12x10x8_uint8.raw", packed(blob()))
 write("slab_16x16x16_uint8.raw", packed([200 if i // 256 == 15 else 100 for i in range(4096)]))
 write("one_1x1x1_uint8.raw", b"\xc8")
-write("thin.tf", b"0 250 120 60 0\n99 250 120 60 0\n100 250 120 60 .02\n255 90 240 60 .05\n")
+write("thin.tf", b"0 250 120 60 0\n19 250 120 60 0\n20 250 120 60 .02\n255 90 240 60 .05\n")
 write("solid.tf", b"0 255 255 255 0\n120 255 255 255 0\n121 255 255 255 1\n255 255 255 255 1\n")
 PY
 IN=in_12x10x8_uint8.raw
