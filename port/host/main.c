@@ -105,13 +105,20 @@ static const struct command commands[] = {
      GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_LEVELS | GROUP_FREEVOXEL | GROUP_OUTPUT |
          GROUP_REPORT | GROUP_THREADS | GROUP_COMMON,
      1, command_freevoxel},
+    {"qvol splat", "FILE -o OUT [options]", "Draws a file of qvol freevoxel, voxel by voxel.",
+     "Voxels are added in the file's order, whatever it is: sums of integers do not depend on it.\n"
+     "--splatting over blends them back to front, as hardware does, and takes no notice of the\n"
+     "light that was kept: where splats overlap, too much is lost.\n" PICTURE_DETAILS,
+     GROUP_VIEW | GROUP_FRAME | GROUP_SPLAT | GROUP_LIGHTING | GROUP_OUTPUT | GROUP_REPORT |
+         GROUP_THREADS | GROUP_COMMON,
+     1, command_splat},
 };
 
 #define COMMANDS ((int)(sizeof commands / sizeof commands[0]))
 /* Past "qvol ". */
 #define NAME_OFFSET 5
 
-#define COMMAND_NAMES "render, info, compare, classify, pyramid or freevoxel"
+#define COMMAND_NAMES "render, info, compare, classify, pyramid, freevoxel or splat"
 
 static void print_overview(void)
 {
@@ -125,19 +132,6 @@ static void print_overview(void)
     }
     printf("\nqvol COMMAND --help tells the options. Exit status: 0, 1 (data) or 2 (usage).\n");
     finish_output();
-}
-
-static void set_defaults(struct settings *settings)
-{
-    memset(settings, 0, sizeof *settings);
-    settings->size[0] = settings->size[1] = 512;
-    settings->light[0] = -40;
-    settings->light[1] = 40;
-    settings->zoom = 1;
-    settings->step = 1;
-    settings->termination = -1;
-    settings->background[3] = 255;
-    settings->gain = 16;
 }
 
 static const struct command *find_command(const char *name)
@@ -166,7 +160,6 @@ int main(int argc, char **argv)
     }
     command = find_command(argv[1]);
     error_set_command(command->name);
-    set_defaults(&settings);
     options_read(&settings, command, argc - 1, argv + 1);
     return command->run(&settings);
 }

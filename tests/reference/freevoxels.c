@@ -154,23 +154,20 @@ static bool is_by_step(const qv_volume *volume)
     return !ref_holds_extinction(volume->storage) && volume->unit_distance == 0;
 }
 
-/* Depth along a step towards v, from three directions' depths by the length of theirs. */
-static double depth_between(const qv_volume *volume, const uint8_t *of, const double v[3])
+/* Depth along a step towards v, from the depths of the three directions round it. */
+static double interpolate(const qv_volume *volume, const ref_surrounding *around,
+                          const double depth[3], const double v[3])
 {
-    ref_surrounding around;
     double sum = 0;
-    ref_surround(&around, v);
     for (int i = 0; i < 3; i++) {
-        const int direction = around.direction[i];
         int step[3];
-        ref_direction_step(step, direction);
+        ref_direction_step(step, around->direction[i]);
         const double along[3] = {step[0], step[1], step[2]};
-        const double depth = fmin(own_depth(of[direction]), REF_DARK_DEPTH);
         const double length = is_by_step(volume) ? 1 : ref_step_length(volume, along);
-        if (around.weight[i] == 1) {
-            return own_depth(of[direction]);
+        if (around->weight[i] == 1) {
+            return depth[i];
         }
-        sum += around.weight[i] * depth / length;
+        sum += around->weight[i] * depth[i] / length;
     }
     return is_by_step(volume) ? sum : sum * ref_step_length(volume, v);
 }
@@ -180,8 +177,55 @@ double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const 
     const ref_bytes *bytes = in;
     const qv_volume *volume = bytes->volume;
     const uint8_t *of = byte_at(bytes, level, at);
+    ref_surrounding around;
+    double depth[3];
     if (bytes->nearest) {
         return own_depth(of[ref_nearest_direction(volume, bytes->directions, v)]);
     }
-    return depth_between(volume, of, v);
+    ref_surround(&around, v);
+    for (int i = 0; i < 3; i++) {
+        const double own = own_depth(of[around.direction[i]]);
+        depth[i] = around.weight[i] < 1 ? fmin(own, REF_DARK_DEPTH) : own;
+    }
+    return interpolate(volume, &around, depth, v);
+}
+
+/* ---- Depth between three directions, without bytes -------------------------------- */
+
+bool ref_outside_make(ref_outside *made, const qv_volume *volume)
+{
+    const size_t voxels = (size_t)volume->size[0] * volume->size[1] * volume->size[2];
+    double *depths = malloc(voxels * sizeof *depths);
+    made->volume = volume;
+    made->depth = malloc(voxels * sizeof *made->depth);
+    const bool has_memory = depths != NULL && made->depth != NULL;
+    for (int direction = 0; has_memory && direction < (int)QV_DIRECTIONS; direction++) {
+        ref_outer_depths(depths, volume, direction);
+        for (size_t i = 0; i < voxels; i++) {
+            made->depth[i][direction] = depths[i];
+        }
+    }
+    free(depths);
+    return has_memory;
+}
+
+void ref_outside_free(ref_outside *made)
+{
+    free(made->depth);
+    made->depth = NULL;
+}
+
+double ref_depth_between(const void *in, int level, const int32_t at[3], const double v[3])
+{
+    const ref_outside *outside = in;
+    const uint16_t *size = outside->volume->size;
+    const double *of = outside->depth[at[0] + size[0] * (at[1] + (int64_t)size[1] * at[2])];
+    ref_surrounding around;
+    double depth[3];
+    (void)level;
+    ref_surround(&around, v);
+    for (int i = 0; i < 3; i++) {
+        depth[i] = of[around.direction[i]];
+    }
+    return interpolate(outside->volume, &around, depth, v);
 }

@@ -57,6 +57,19 @@ typedef double ref_depth_along(const void *in, int level, const int32_t at[3], c
 /* From ref_bytes. */
 ref_depth_along ref_depth_of_bytes;
 
+/* All 26 depths of the voxels of level 0, x fastest, not rounded to bytes. */
+typedef struct ref_outside {
+    const qv_volume *volume;
+    double (*depth)[QV_DIRECTIONS];
+} ref_outside;
+
+/* False without memory. */
+bool ref_outside_make(ref_outside *made, const qv_volume *volume);
+void ref_outside_free(ref_outside *made);
+
+/* From ref_outside, between three directions; of level 0 alone. */
+ref_depth_along ref_depth_between;
+
 /* Extinction at the centres of a volume's voxels, depth per world unit, x fastest. */
 typedef struct ref_field {
     const qv_volume *volume; /* its unit distance is not 0, unless it stores extinction */

@@ -254,8 +254,10 @@ static void what_lies_in_front(void **state)
         splat_draw(&f, &splats);
         const uint32_t *sum = f.sums + (FRAME / 2 * FRAME + FRAME / 2) * QV_SUM_CHANNELS;
         const unsigned seen = i / 2 == 0 ? 0 : 1;
-        assert_true(sum[seen] > (i % 2 == 0 ? 250u : 220u) << 16);
-        assert_true(sum[1 - seen] < (i % 2 == 0 ? 1u << 12 : 30u << 16)); /* the one leaks */
+        if (i % 2 == 0)
+            assert_true(sum[seen] > 254u << 16 && sum[1 - seen] < 1u << 12);
+        else /* a fifth leaks through three layers */
+            assert_true(sum[seen] > 190u << 16 && sum[1 - seen] < 60u << 16);
     }
 }
 
