@@ -41,6 +41,14 @@ static inline int qv_aligned(qv_address address, unsigned alignment)
     return ((uintptr_t)address & (alignment - 1u)) == 0;
 }
 
+/* From memory that is written to an address that is read, modulo the address space. Returns 0,
+   and leaves the distance, where the two are memories of their own. */
+static inline int qv_distance(uintptr_t *distance, const void *written, qv_address read)
+{
+    *distance = (uintptr_t)read - (uintptr_t)written;
+    return 1;
+}
+
 #endif
 
 /*

@@ -180,8 +180,7 @@ qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass 
 }
 
 /* Whether `sign` * v on one axis is more than `other_sign` * v on another, for some corner. */
-static int somewhere(const int32_t corner[4][3], unsigned axis, int sign, unsigned other,
-                     int other_sign)
+static int somewhere(int32_t corner[4][3], unsigned axis, int sign, unsigned other, int other_sign)
 {
     for (unsigned i = 0; i < 4; i++)
         if ((int64_t)sign * corner[i][axis] > (int64_t)other_sign * corner[i][other])
@@ -194,7 +193,7 @@ static int somewhere(const int32_t corner[4][3], unsigned axis, int sign, unsign
  * any other axis: linear conditions on v. One that holds at no corner holds nowhere between
  * them.
  */
-static int has_share(const int32_t corner[4][3], const int8_t step[3])
+static int has_share(int32_t corner[4][3], const int8_t step[3])
 {
     for (unsigned axis = 0; axis < 3; axis++) {
         if (step[axis] == 0)
@@ -209,7 +208,7 @@ static int has_share(const int32_t corner[4][3], const int8_t step[3])
     return 1;
 }
 
-uint32_t qv_bearing_reach(const int32_t corner[4][3])
+uint32_t qv_bearing_reach(int32_t corner[4][3])
 {
     uint32_t reach = 0;
     for (uint8_t direction = 0; direction < QV_DIRECTIONS; direction++) {

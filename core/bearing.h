@@ -34,7 +34,7 @@ qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass 
 
 /* The directions, of all 26, that have a share in some vector between four corners: those, and
    perhaps a few more. */
-uint32_t qv_bearing_reach(const int32_t corner[4][3]);
+uint32_t qv_bearing_reach(int32_t corner[4][3]);
 
 /*
  * Transmittance along a bearing for a voxel with these bytes, Q0.32 with 2^32 - 1 for 1. `inside`:
@@ -46,5 +46,16 @@ uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, q
 /* v, halved or doubled until its largest magnitude is 2^30 .. 2^31 - 1; how often it was halved (or,
    negative, doubled). v is not 0. */
 int qv_bearing_scale(int32_t scaled[3], const int64_t v[3]);
+
+/* The largest magnitude of the components. */
+static inline uint32_t qv_bearing_largest(const int32_t v[3])
+{
+    uint32_t largest = 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        uint32_t size = v[axis] < 0 ? 0u - (uint32_t)v[axis] : (uint32_t)v[axis];
+        largest = size > largest ? size : largest;
+    }
+    return largest;
+}
 
 #endif /* QV_BEARING_H */

@@ -1,13 +1,9 @@
 #include "camera.h"
-#include "fx_angle.h"
+#include "eye.h"
 #include "fx_root.h"
 #include "fx_wide.h"
 #include "layout.h"
 #include "ray.h"
-
-#define DEGREE_ROUNDED_UP 0x00B60B61u /* 2^32 / 360 */
-#define LEAST_FIELD       DEGREE_ROUNDED_UP
-#define MOST_FIELD        0x6AAAAAAAu /* 150 degrees */
 
 /* As a power of 2, and in world units: */
 #define PACES_TO_EYE 20
@@ -16,19 +12,6 @@
 /* Directions are halved until they have 31 bits, and then normalised. */
 #define MOST_HALVED     ((uint64_t)1 << 31)
 #define LEAST_DIRECTION ((uint64_t)1 << 16) /* 2^-16 world units */
-
-/*
- * Distance from the eye to the volume's centre in world units, Q31.32: half the
- * frame's height by the tangent of half the field. height_q16 is Q16.16; the
- * cotangent is at most 115 < 2^7, so the result is below 2^55.
- */
-static qv_coord eye_distance(uint32_t height_q16, int32_t sine, int32_t cosine)
-{
-    uint64_t cotangent = fx_divide((uint64_t)(uint32_t)cosine << 32, (uint32_t)sine); /* Q32 */
-    uint64_t low = fx_wide_product(height_q16, (uint32_t)cotangent);
-    uint64_t high = fx_wide_product(height_q16, (uint32_t)(cotangent >> 32));
-    return (qv_coord)((low >> 17) + (high << 15)); /* height * cotangent * 2^48 / 2^17 */
-}
 
 /* A world length as voxels: v / spacing, to nearest; v in Q31.32, |v| < 2^55, and
    spacing Q16.16 of 2^12 .. 2^24. */
@@ -50,13 +33,10 @@ qv_status qv_perspective(qv_camera *camera, const qv_volume *volume, const qv_vi
     qv_status status = qv_view_check(volume, view);
     if (status != QV_OK)
         return status;
-    uint64_t height = fx_wide_product(view->pitch, view->height);
-    if (field_of_view < LEAST_FIELD || field_of_view > MOST_FIELD || height > 0xFFFFFFFFu)
-        return QV_ERROR_VIEW;
-
-    int32_t sine, cosine;
-    fx_sine_cosine(&sine, &cosine, field_of_view / 2u);
-    qv_coord distance = eye_distance((uint32_t)height, sine, cosine);
+    qv_coord distance;
+    status = qv_eye_of(&distance, view, field_of_view);
+    if (status != QV_OK)
+        return status;
     qv_coord pitch = (qv_coord)view->pitch << 16;
     for (unsigned axis = 0; axis < 3; axis++) {
         uint32_t spacing = qv_spacing(volume->spacing, axis);

@@ -1,9 +1,9 @@
 #include "qvol.h"
 
-#include "fx_wide.h"
-#include "layout.h"
 #include "access.h"
+#include "block.h"
 #include "entry.h"
+#include "layout.h"
 #include "scalars.h"
 #include "shade.h"
 #include "storage.h"
@@ -80,23 +80,6 @@ static void classify_block(uint8_t *voxel, const pass *p, const qv_block *block)
             }
 }
 
-static qv_status check_block(const qv_block *block, const uint16_t size[3])
-{
-    for (unsigned axis = 0; axis < 3; axis++)
-        if (block->first[axis] >= block->end[axis] || block->end[axis] > size[axis])
-            return QV_ERROR_SIZE;
-    return QV_OK;
-}
-
-/* Bytes that a checked block fills: at most 2^36 * 8. */
-static uint64_t block_bytes(const qv_block *block, uint8_t storage)
-{
-    uint32_t extent[3];
-    for (unsigned axis = 0; axis < 3; axis++)
-        extent[axis] = (uint32_t)block->end[axis] - block->first[axis];
-    return fx_wide_product(extent[0] * extent[1], extent[2] * qv_voxel_bytes(storage));
-}
-
 static qv_status check_source(const qv_classifier *classifier)
 {
     qv_status status = qv_scalars_check(&classifier->scalars);
@@ -129,9 +112,9 @@ qv_status qv_classify(void *voxels, size_t bytes, uint8_t storage, const qv_clas
         status = qv_shader_init(&shader, classifier->shading, classifier->scalars.spacing, window);
         p.shader = &shader;
     }
-    if (status == QV_OK)
-        status = check_block(block, classifier->scalars.size);
-    if (status == QV_OK && bytes < block_bytes(block, storage))
+    if (status == QV_OK && !qv_block_valid(block, classifier->scalars.size))
+        status = QV_ERROR_SIZE;
+    if (status == QV_OK && bytes < qv_block_bytes(block, qv_voxel_bytes(storage)))
         status = QV_ERROR_BUFFER;
     if (status == QV_OK)
         classify_block((uint8_t *)voxels, &p, block);

@@ -18,6 +18,14 @@ static inline void qv_entry_read(fx_unorm16 entry[4], qv_address from, unsigned 
     }
 }
 
+/* The fourth channel of an entry, likewise. */
+static inline fx_unorm16 qv_entry_fourth(qv_address from, unsigned storage)
+{
+    if (qv_channel_bytes(storage) == 2)
+        return qv_read16(qv_at(from, 6));
+    return fx_unorm8_to_unorm16(qv_read8(qv_at(from, 3)));
+}
+
 /* Writes an entry, which needs no alignment; 8-bit channels to nearest. */
 static inline void qv_entry_write(uint8_t *to, unsigned storage, const fx_unorm16 entry[4])
 {

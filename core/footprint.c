@@ -5,6 +5,9 @@
 
 #define HALF_PIXEL 0x8000
 
+/* Of a kernel, on either side of its middle, Q0.32. */
+#define HALF_OF_IT ((uint32_t)1 << 31)
+
 void qv_footprint_of(qv_footprint *footprint, const qv_kernel *kernel, int64_t centre,
                      uint32_t size)
 {
@@ -35,16 +38,16 @@ void qv_footprint_range(int32_t *first, int32_t *end, const qv_footprint *footpr
     *end = clamp(fx_shift_floor(middle + footprint->half - 1, 16) + 1, from, to);
 }
 
-/* The integral of the kernel from its middle to a part of half its width, Q.8 of
-   QV_KERNEL_PARTS; linear between entries. Q0.24. */
+/* The integral of the kernel from its middle to a part of half its width, Q.16 of
+   QV_KERNEL_PARTS; linear between entries. Q0.32. */
 static uint32_t integral(const qv_kernel *kernel, uint32_t part)
 {
-    uint32_t entry = part >> 8;
+    uint32_t entry = part >> 16;
     if (entry >= QV_KERNEL_PARTS)
-        return (uint32_t)1 << 23;
+        return HALF_OF_IT;
     uint32_t lower = fx_table16(kernel->integral + entry);
     uint32_t rise = fx_table16(kernel->integral + entry + 1u) - lower; /* < 2^11 */
-    return (lower << 8) + rise * (part & 255u);
+    return (lower << 16) + rise * (part & 0xFFFFu);
 }
 
 /* The integral from the middle to an edge left of a pixel, times the voxel's size: Q1.15 a
@@ -53,13 +56,14 @@ static int32_t edge(const qv_footprint *footprint, int32_t pixel)
 {
     int64_t way = (int64_t)pixel * 65536 - HALF_PIXEL - footprint->centre;
     uint64_t distance = way < 0 ? 0u - (uint64_t)way : (uint64_t)way;
-    uint32_t share = (uint32_t)1 << 23;
+    uint32_t share = HALF_OF_IT;
     if (distance < footprint->half) {
-        /* distance / half: Q27 by Q31, less the shift, to Q14 */
+        /* distance / half: Q27 by Q31, less the shift, to Q22: of a voxel of 4096 pixels, a pixel
+           is still more than 500 */
         uint64_t quotient = fx_wide_product((uint32_t)distance, footprint->reciprocal);
-        share = integral(footprint->kernel, (uint32_t)(quotient >> (44u - footprint->shift)));
+        share = integral(footprint->kernel, (uint32_t)(quotient >> (36u - footprint->shift)));
     }
-    int32_t part = (int32_t)(fx_wide_product(footprint->size, share) >> 25);
+    int32_t part = (int32_t)(fx_wide_product(footprint->size, share) >> 33);
     return way < 0 ? -part : part;
 }
 

@@ -53,16 +53,18 @@ static int is_dark(const qv_lighting *lighting)
 void qv_lighting_colour(fx_unorm16 colour[3], const qv_lighting *lighting,
                         const qv_bearing lamp[QV_LAMPS_MAX], qv_address bytes)
 {
-    uint32_t light[3];
+    uint64_t light[3]; /* with 32 fraction bits more, and rounded once: <= 5 * FULL * 2^32 */
     if (is_dark(lighting))
         return;
     for (unsigned c = 0; c < 3; c++)
-        light[c] = lighting->ambient[c];
+        light[c] = (uint64_t)lighting->ambient[c] << 32;
     for (unsigned i = 0; i < lighting->count; i++) {
         uint32_t clear = qv_bearing_transmittance(&lamp[i], bytes, 0);
         for (unsigned c = 0; c < 3; c++)
-            light[c] += fx_high_product(clear, lighting->lamps[i].colour[c]); /* <= 5 * FULL */
+            light[c] += fx_wide_product(clear, lighting->lamps[i].colour[c]);
     }
-    for (unsigned c = 0; c < 3; c++)
-        colour[c] = fx_unorm16_mul(colour[c], (fx_unorm16)(light[c] < FULL ? light[c] : FULL));
+    for (unsigned c = 0; c < 3; c++) {
+        uint32_t sum = (uint32_t)((light[c] + 0x80000000u) >> 32);
+        colour[c] = fx_unorm16_mul(colour[c], (fx_unorm16)(sum < FULL ? sum : FULL));
+    }
 }

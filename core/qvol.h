@@ -1197,12 +1197,14 @@ typedef struct qv_lighting {
  * Lights a block of a volume for qv_render: writes its voxels, tightly packed, x fastest, as
  * entries of the channels of the volume or of its palette, with lit colours. One pass over the
  * voxels, whatever the number of lamps. The volume's voxels may be overwritten where they are
- * such entries themselves and the block is all of it, tightly packed.
- * `nearest` as in qv_splat_scene. Colours are rounded to nearest; those of 8 bits are within .51 of exact for
- * the bytes as they are, those of 16 bits within 2. Returns QV_OK or QV_ERROR_NULL, an error of
- * qv_volume_check, _SIZE (also of the block), _DIRECTION (a lamp shines from between directions of
- * which one is not in the set), _ATTENUATION, _LIGHT (more lamps than there can be, or a direction
- * of length 0), _BUFFER.
+ * such entries themselves and the block is all of it, tightly packed. attenuation is not read, and
+ * may be null, where no lamp shines. `nearest` as in qv_splat_scene.
+ * Colours are rounded to nearest; those of 8 bits are within .51 of exact for the bytes as they
+ * are, those of 16 bits within 1.5. Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check,
+ * _SIZE (also of the block, or the attenuation's is not the volume's), _DIRECTION (the set is empty
+ * or has unknown bits, or a lamp shines from between directions of which one is not in it),
+ * _ATTENUATION, _LIGHT (more lamps than there can be, or a direction of length 0), _BUFFER,
+ * _OVERLAP (what is written is also read, but for those voxels).
  */
 qv_status qv_illuminate(void *voxels, size_t bytes, const qv_volume *volume,
                         const qv_attenuation *attenuation, const qv_lighting *lighting,
@@ -1286,16 +1288,12 @@ typedef struct qv_bearing {
    itself. Its fields are the library's own, core/splat.h. */
 typedef struct qv_splats {
     qv_splat_scene scene;
-    int64_t across[3], down[3], ahead[3];
-    int64_t eye[3];
-    uint64_t centre;
-    uint32_t width, height;
-    uint32_t flat;
-    uint32_t unit, length;
-    uint8_t unit_shift;
-    uint32_t reach[QV_DIRECTIONS];
-    qv_bearing viewer;
-    qv_bearing lamp[QV_LAMPS_MAX];
+    qv_compass compass;
+    qv_bearing viewer, lamp[QV_LAMPS_MAX];
+    int64_t across[3], down[3], ahead[3], eye[3], distance;
+    uint32_t mantissa[4], factor, size[2], gain, length;
+    int16_t exponent[4];
+    uint8_t shift, drawn;
 } qv_splats;
 
 /*

@@ -3,7 +3,7 @@
  */
 #include "commands.h"
 #include "error.h"
-#include "report_model.h"
+#include "report_freevoxel.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -140,10 +140,38 @@ static void write_report(const struct settings *settings, const struct scan *sca
     output_commit(&out);
 }
 
+static void write_freevoxel_report(const struct settings *settings,
+                                   const struct freevoxel_file *file)
+{
+    struct json json;
+    output out;
+    output_open(&out, settings->json);
+    json_begin(&json, &out);
+    report_freevoxel_file(&json, file);
+    json_end(&json);
+    output_commit(&out);
+}
+
+static void tell_freevoxel_file(const struct settings *settings)
+{
+    struct freevoxel_file file;
+    freevoxel_file_open(&file, settings->operands[0]);
+    if (settings->json != NULL) {
+        write_freevoxel_report(settings, &file);
+    } else {
+        print_freevoxel_file(&file);
+    }
+    freevoxel_file_close(&file);
+}
+
 int command_info(const struct settings *settings)
 {
     struct scan scan;
     struct spread spread = {0};
+    if (freevoxel_file_is(settings->operands[0])) {
+        tell_freevoxel_file(settings);
+        finish_output();
+    }
     input_read(&scan, settings->operands[0], &settings->raw);
     if (!element_is_classified(scan.type)) {
         measure(&spread, &scan);

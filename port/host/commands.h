@@ -11,5 +11,7 @@ int command_info(const struct settings *settings);
 int command_compare(const struct settings *settings);
 int command_classify(const struct settings *settings);
 int command_pyramid(const struct settings *settings);
+int command_freevoxel(const struct settings *settings);
+int command_splat(const struct settings *settings);
 
 #endif

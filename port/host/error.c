@@ -12,23 +12,36 @@
 
 #define LINE_BYTES 1024
 
+static int tell(const char *line, int status)
+{
+    fprintf(stderr, "%s\n", line);
+    return status;
+}
+
 static const char *command = "qvol";
+static error_teller *teller = tell;
 
 void error_set_command(const char *name)
 {
     command = name;
 }
 
+void error_set_teller(error_teller *other)
+{
+    teller = other;
+}
+
 /* Names of files and texts of libraries may hold line breaks or control
    characters: one error stays one printable line. */
-static void print_line(char *line)
+static void end(char *line, int status) __attribute__((noreturn));
+static void end(char *line, int status)
 {
     for (char *c = line; *c != '\0'; c++) {
         if ((unsigned char)*c < ' ' || *c == 127) {
             *c = '?';
         }
     }
-    fprintf(stderr, "%s\n", line);
+    exit(teller(line, status));
 }
 
 /* What does not fit in the line is cut off. */
@@ -55,8 +68,7 @@ void usage_error(const char *option, const char *format, ...)
     append(line, " (see ");
     append(line, command);
     append(line, " --help)");
-    print_line(line);
-    exit(EXIT_USAGE);
+    end(line, EXIT_USAGE);
 }
 
 void data_error(const char *file, const char *field, const char *format, ...)
@@ -71,8 +83,7 @@ void data_error(const char *file, const char *field, const char *format, ...)
     va_start(arguments, format);
     append_formatted(line, format, arguments);
     va_end(arguments);
-    print_line(line);
-    exit(EXIT_DATA);
+    end(line, EXIT_DATA);
 }
 
 void system_error(const char *file, const char *field)

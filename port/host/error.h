@@ -13,6 +13,11 @@
 /* The name before every message, "qvol" until a command is known. */
 void error_set_command(const char *name);
 
+/* Who tells the line of an error, and with which exit status the program then ends. Unless another
+   is set, this process does, with the status that the error has. */
+typedef int error_teller(const char *line, int status);
+void error_set_teller(error_teller *teller);
+
 /* "COMMAND: OPTION: reason (see COMMAND --help)" */
 void usage_error(const char *option, const char *format, ...)
     __attribute__((noreturn, format(printf, 2, 3)));

@@ -110,8 +110,7 @@ void frame_free(struct frame *frame)
     free(frame->bytes);
 }
 
-/* Of a clock that is never set back. */
-static double seconds_now(void)
+double seconds_now(void)
 {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);

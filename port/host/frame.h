@@ -25,6 +25,9 @@ void frame_create(struct frame *frame, const struct settings *settings);
 
 void frame_free(struct frame *frame);
 
+/* Of a clock that is never set back. */
+double seconds_now(void);
+
 /* slicing: null for rays. */
 void frame_render(struct frame *frame, const qv_scene *scene, const struct slicing *slicing,
                   const struct settings *settings);

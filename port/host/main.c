@@ -49,18 +49,20 @@
     "With --slices opacities hold for a voxel, so that a fog is as dense in any number of them.\n" \
     "Bricks share one grid of slices; values are clamped at their faces.\n"
 
+#define PICTURE_DETAILS                                                                            \
+    "\nOUT ends in .png or .pam (what the display would show; alpha is stored straight), or in\n"  \
+    ".raw or .bin (the display's own bytes; colour is associated with alpha). - writes PAM.\n"     \
+    "Formats: rgb888 (default), rgba8888 (default over a transparent background), bgra8888,\n"     \
+    "rgb565le, rgb565be, l8, grey4, mono-horizontal, mono-vertical.\n"                             \
+    "At azimuth 0 and elevation 0 the viewer looks along +y, z is up: at the back of a head.\n"
+
 static const struct command commands[] = {
     {"qvol render", "IN -o OUT [options]", "Renders a volume to a picture or to a display's bytes.",
-     INPUT_DETAILS
-     "\n" TRANSFER_DETAILS "\n" SAMPLING_DETAILS "\n" SLICE_DETAILS "\n" LEVEL_DETAILS
-     "--level takes those, or makes them. auto: a pixel is as wide as a voxel of its level.\n"
-     "\nOUT ends in .png or .pam (what the display would show; alpha is stored straight), or in\n"
-     ".raw or .bin (the display's own bytes; colour is associated with alpha). - writes PAM.\n"
-     "Formats: rgb888 (default), rgba8888 (default over a transparent background), bgra8888,\n"
-     "rgb565le, rgb565be, l8, grey4, mono-horizontal, mono-vertical.\n"
-     "At azimuth 0 and elevation 0 the viewer looks along +y, z is up: at the back of a head.\n",
-     GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_PICTURE | GROUP_OUTPUT | GROUP_REPORT |
-         GROUP_THREADS | GROUP_COMMON | GROUP_LEVELS,
+     INPUT_DETAILS "\n" TRANSFER_DETAILS "\n" SAMPLING_DETAILS "\n" SLICE_DETAILS "\n" LEVEL_DETAILS
+                   "--level takes those, or makes them. auto: a pixel is as wide as a voxel of its "
+                   "level.\n" PICTURE_DETAILS,
+     GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_FRAME | GROUP_PICTURE | GROUP_LIGHTING |
+         GROUP_OUTPUT | GROUP_REPORT | GROUP_THREADS | GROUP_COMMON | GROUP_LEVELS,
      1, command_render},
     {"qvol info", "IN [options]", "Tells size, type, spacing, orientation, range and histogram.",
      INPUT_DETAILS, GROUP_INPUT | GROUP_REPORT | GROUP_COMMON, 1, command_info},
@@ -91,11 +93,32 @@ static const struct command commands[] = {
      GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_LEVELS | GROUP_EXPORT | GROUP_OUTPUT |
          GROUP_REPORT | GROUP_THREADS | GROUP_COMMON,
      1, command_pyramid},
+    {"qvol freevoxel", "IN -o OUT [options]",
+     "Keeps with each voxel how much light passes to it, for qvol splat.",
+     INPUT_DETAILS
+     "\n" TRANSFER_DETAILS "\nOUT is mapped into memory, so it is a file. A voxel takes a byte for "
+     "each direction beside\n"
+     "its own: 27 of indexed8, the default here, with all directions. Opacities hold for 1 unless\n"
+     "--unit-distance or --uncorrected says otherwise. Levels have voxels by --filter box2 here.\n"
+     "All 26 directions draw any view. A view or a light needs the three about it: an axis, an\n"
+     "edge and a corner of the cube of neighbours, as +x,+x+z,+x+y+z.\n",
+     GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_LEVELS | GROUP_FREEVOXEL | GROUP_OUTPUT |
+         GROUP_REPORT | GROUP_THREADS | GROUP_COMMON,
+     1, command_freevoxel},
+    {"qvol splat", "FILE -o OUT [options]", "Draws a file of qvol freevoxel, voxel by voxel.",
+     "Voxels are added in the file's order, whatever it is: sums of integers do not depend on it.\n"
+     "--splatting over blends them back to front, as hardware does, and takes no notice of the\n"
+     "light that was kept: where splats overlap, too much is lost.\n" PICTURE_DETAILS,
+     GROUP_VIEW | GROUP_FRAME | GROUP_SPLAT | GROUP_LIGHTING | GROUP_OUTPUT | GROUP_REPORT |
+         GROUP_THREADS | GROUP_COMMON,
+     1, command_splat},
 };
 
 #define COMMANDS ((int)(sizeof commands / sizeof commands[0]))
 /* Past "qvol ". */
 #define NAME_OFFSET 5
+
+#define COMMAND_NAMES "render, info, compare, classify, pyramid, freevoxel or splat"
 
 static void print_overview(void)
 {
@@ -111,19 +134,6 @@ static void print_overview(void)
     finish_output();
 }
 
-static void set_defaults(struct settings *settings)
-{
-    memset(settings, 0, sizeof *settings);
-    settings->size[0] = settings->size[1] = 512;
-    settings->light[0] = -40;
-    settings->light[1] = 40;
-    settings->zoom = 1;
-    settings->step = 1;
-    settings->termination = -1;
-    settings->background[3] = 255;
-    settings->gain = 16;
-}
-
 static const struct command *find_command(const char *name)
 {
     for (int i = 0; i < COMMANDS; i++) {
@@ -131,7 +141,7 @@ static const struct command *find_command(const char *name)
             return &commands[i];
         }
     }
-    usage_error(name, "unknown command, use render, info, compare, classify or pyramid");
+    usage_error(name, "unknown command, use " COMMAND_NAMES);
 }
 
 int main(int argc, char **argv)
@@ -140,7 +150,7 @@ int main(int argc, char **argv)
     const struct command *command;
     claim_standard_streams();
     if (argc < 2) {
-        usage_error("command", "none given, use render, info, compare, classify or pyramid");
+        usage_error("command", "none given, use " COMMAND_NAMES);
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
         print_overview();
@@ -150,7 +160,6 @@ int main(int argc, char **argv)
     }
     command = find_command(argv[1]);
     error_set_command(command->name);
-    set_defaults(&settings);
     options_read(&settings, command, argc - 1, argv + 1);
     return command->run(&settings);
 }

@@ -28,7 +28,7 @@ void check_status(qv_status status, const struct model *model, const char *field
 }
 
 /* Degrees to a binary angle, to nearest; whole turns vanish in the cast. */
-static qv_angle binary_angle(double degrees)
+qv_angle binary_angle(double degrees)
 {
     return (qv_angle)(int64_t)llround(fmod(degrees, 360) / 360 * 4294967296.0);
 }

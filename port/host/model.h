@@ -61,6 +61,9 @@ void model_classify(void *voxels, size_t bytes, const struct model *model, uint3
 /* A length or extinction of the settings as Q16.16, at least 1. */
 uint32_t to_q16(double number);
 
+/* Degrees, whatever turns they make. */
+qv_angle binary_angle(double degrees);
+
 /* The camera's directions that --azimuth, --elevation and --roll make. */
 void settings_rotation(int32_t rotation[3][3], const struct settings *settings);
 

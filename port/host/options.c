@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define OPTIONS_MOST 64
+#define OPTIONS_MOST 80
 /* Values of getopt_long beyond those of letters. */
 #define HELP_VALUE    1000
 #define VERSION_VALUE 1001
@@ -100,11 +100,25 @@ static void read_option(struct settings *settings, const struct command *command
     spec->set(settings, option, optarg);
 }
 
+static void set_defaults(struct settings *settings)
+{
+    memset(settings, 0, sizeof *settings);
+    settings->size[0] = settings->size[1] = 512;
+    settings->light[0] = -40;
+    settings->light[1] = 40;
+    settings->zoom = 1;
+    settings->step = 1;
+    settings->termination = -1;
+    settings->background[3] = 255;
+    settings->gain = 16;
+}
+
 void options_read(struct settings *settings, const struct command *command, int argc, char **argv)
 {
     struct option table[OPTIONS_MOST];
     char letters[OPTIONS_MOST];
     int value;
+    set_defaults(settings);
     make_table(table, letters, command->groups);
     opterr = 0;
     while ((value = getopt_long(argc, argv, letters, table, NULL)) != -1) {

@@ -17,8 +17,8 @@ struct command {
     int (*run)(const struct settings *settings);
 };
 
-/* Reads argv[1] and what follows; argv[0] is the command's own name. --help and
-   --version print and end the program. */
+/* Sets defaults, then reads argv[1] and what follows; argv[0] is the command's own name. --help
+   and --version print and end the program. */
 void options_read(struct settings *settings, const struct command *command, int argc, char **argv);
 
 /* End the program; a full disk under standard output is an error. */

@@ -11,6 +11,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -125,7 +126,7 @@ static int create_temporary(output *out, const char *path)
     for (unsigned n = 0; descriptor < 0 && (n == 0 || errno == EEXIST); n++) {
         snprintf(out->temporary + folder, TEMPORARY_NAME_BYTES, "qvol-%ld-%u.tmp", (long)getpid(),
                  n);
-        descriptor = open(out->temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
+        descriptor = open(out->temporary, O_RDWR | O_CREAT | O_EXCL, 0666);
     }
     return descriptor;
 }
@@ -143,7 +144,7 @@ static void open_temporary(output *out, const struct stat *replaced)
     if (replaced != NULL) {
         fchmod(descriptor, replaced->st_mode & 0777);
     }
-    out->stream = fdopen(descriptor, "wb");
+    out->stream = fdopen(descriptor, "w+b");
 }
 
 /* Renaming would replace a device or a pipe by a file: these are written directly. A
@@ -175,9 +176,31 @@ void output_write(output *out, const void *bytes, size_t count)
     }
 }
 
+/* The disk's blocks are taken at once: writing to the memory cannot tell that there are none. */
+void *output_map(output *out, uint64_t bytes)
+{
+    int descriptor = fileno(out->stream);
+    if (out->temporary == NULL) {
+        data_error(out->target, NULL, "no regular file, which is needed to map it into memory");
+    }
+    errno = bytes <= SIZE_MAX ? posix_fallocate(descriptor, 0, (off_t)bytes) : EFBIG;
+    if (errno == 0) {
+        out->map_bytes = (size_t)bytes;
+        out->map = mmap(NULL, out->map_bytes, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+    }
+    if (errno != 0 || out->map == MAP_FAILED) {
+        system_error(out->target, NULL);
+    }
+    return out->map;
+}
+
 void output_commit(output *out)
 {
     bool failed = fflush(out->stream) != 0 || ferror(out->stream);
+    if (out->map != NULL) {
+        failed = msync(out->map, out->map_bytes, MS_ASYNC) != 0 || failed;
+        failed = munmap(out->map, out->map_bytes) != 0 || failed;
+    }
     if (!failed && out->stream != stdout) {
         failed = fclose(out->stream) != 0;
     }

@@ -18,14 +18,19 @@ struct queue {
     uint32_t done;
 };
 
+unsigned parallel_threads(unsigned asked)
+{
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    if (asked != 0) {
+        return asked;
+    }
+    return processors > 0 && processors < THREADS_MOST ? (unsigned)processors : 1;
+}
+
 /* Never more threads than pieces. */
 static unsigned thread_count(const struct parallel *work)
 {
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    unsigned threads = work->threads;
-    if (threads == 0) {
-        threads = processors > 0 && processors < THREADS_MOST ? (unsigned)processors : 1;
-    }
+    unsigned threads = parallel_threads(work->threads);
     return threads < work->pieces ? threads : work->pieces;
 }
 

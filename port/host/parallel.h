@@ -20,6 +20,9 @@ struct parallel {
 /* Runs all pieces; returns when the last is done. */
 void parallel_run(const struct parallel *work);
 
+/* The threads that stand for that many asked for: 0 is as many as there are processors. */
+unsigned parallel_threads(unsigned asked);
+
 /* What to show while working, or null: quiet, or standard error is no terminal. */
 const char *progress_label(bool quiet, const char *label);
 

@@ -3,6 +3,7 @@
  */
 #include "report.h"
 #include "crc32.h"
+#include "lighting.h"
 #include "report_slices.h"
 #include "sampling.h"
 
@@ -27,6 +28,19 @@ static void vector(struct json *json, const char *key, const qv_coord v[3])
     json_triple(json, key, v[0], v[1], v[2]);
 }
 
+void report_view(struct json *json, const struct view *view)
+{
+    json_object(json, "view");
+    for (unsigned row = 0; row < 3; row++) {
+        static const char *const names[3] = {"right_q30", "down_q30", "forward_q30"};
+        const int32_t *r = view->view.rotation[row];
+        json_triple(json, names[row], r[0], r[1], r[2]);
+    }
+    json_integer(json, "pitch_q16", view->view.pitch);
+    json_integer(json, "field_of_view", view->field_of_view);
+    json_close(json);
+}
+
 static void report_camera(struct json *json, const qv_scene *scene, const struct view *view)
 {
     const qv_camera *camera = &scene->camera;
@@ -40,15 +54,7 @@ static void report_camera(struct json *json, const qv_scene *scene, const struct
     vector(json, "along", camera->along);
     vector(json, "pace", camera->pace);
     json_integer(json, "step_q16", camera->step);
-    json_object(json, "view");
-    for (unsigned row = 0; row < 3; row++) {
-        static const char *const names[3] = {"right_q30", "down_q30", "forward_q30"};
-        const int32_t *r = view->view.rotation[row];
-        json_triple(json, names[row], r[0], r[1], r[2]);
-    }
-    json_integer(json, "pitch_q16", view->view.pitch);
-    json_integer(json, "field_of_view", view->field_of_view);
-    json_close(json);
+    report_view(json, view);
     json_close(json);
 }
 
@@ -88,10 +94,10 @@ static void report_sampling(struct json *json, const qv_scene *scene, const stru
     json_close(json);
 }
 
-static void report_frame(struct json *json, const qv_scene *scene, const struct frame *frame)
+void report_frame(struct json *json, const uint8_t background[4], const struct frame *frame)
 {
-    const uint8_t *b = scene->background;
-    const int64_t background[4] = {b[0], b[1], b[2], b[3]};
+    const uint8_t *b = background;
+    const int64_t colour[4] = {b[0], b[1], b[2], b[3]};
     char checksum[16];
     snprintf(checksum, sizeof checksum, "%08" PRIx32,
              crc32_update(0, frame->bytes, frame->byte_count));
@@ -101,7 +107,7 @@ static void report_frame(struct json *json, const qv_scene *scene, const struct 
     json_text(json, "format", frame->format->name);
     json_unsigned(json, "row_bytes", frame->row_bytes);
     json_unsigned(json, "bytes", frame->byte_count);
-    json_integers(json, "background", background, 4);
+    json_integers(json, "background", colour, 4);
     json_text(json, "crc32", checksum);
     json_close(json);
 }
@@ -132,13 +138,18 @@ void report_scene(output *out, const struct model *model, const qv_scene *scene,
         report_levels(&json, levels, &scene->volume, model, 0);
     }
     report_camera(&json, scene, view);
+    if (settings->lighting.count != 0) {
+        qv_lighting lighting;
+        lighting_create(&lighting, settings);
+        report_lighting(&json, &lighting);
+    }
     report_sampling(&json, scene, view, model, settings);
     if (slicing != NULL) {
         report_slices(&json, slicing, frame, settings);
     } else {
         json_null(&json, "slices");
     }
-    report_frame(&json, scene, frame);
+    report_frame(&json, scene->background, frame);
     report_statistics(&json, frame, slicing == NULL);
     json_end(&json);
 }

@@ -9,6 +9,10 @@
 #include "report_model.h"
 #include "scene.h"
 
+/* Where the viewer is, and what became of the picture: of rays, slices and splats. */
+void report_view(struct json *json, const struct view *view);
+void report_frame(struct json *json, const uint8_t background[4], const struct frame *frame);
+
 /* Levels are reported where the scene has a pyramid; slicing: null for rays. */
 void report_scene(output *out, const struct model *model, const qv_scene *scene,
                   const struct levels *levels, const struct view *view,

@@ -68,8 +68,7 @@ static uint16_t scene_phase(const struct settings *settings)
     return (uint16_t)lround(fmin(phase * 65536, 65535));
 }
 
-/* Every number becomes the integer that the report prints. */
-static void set_view(struct view *view, const qv_volume *volume, const struct settings *settings)
+void view_create(struct view *view, const qv_volume *volume, const struct settings *settings)
 {
     settings_rotation(view->view.rotation, settings);
     view->view.pitch = pitch(volume, settings);
@@ -128,7 +127,7 @@ static void check_scene(const qv_scene *scene, const struct model *model)
 void scene_create(qv_scene *scene, struct view *view, const struct model *model,
                   const struct settings *settings)
 {
-    set_view(view, &scene->volume, settings);
+    view_create(view, &scene->volume, settings);
     set_camera(scene, view);
     scene->phase = scene_phase(settings);
     scene->termination = settings->termination < 0

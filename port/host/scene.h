@@ -22,6 +22,9 @@ double scene_depth(const uint16_t size[3], const uint32_t spacing[3],
 uint32_t scene_step(const uint16_t size[3], const uint32_t spacing[3],
                     const struct settings *settings);
 
+/* Every number of the settings becomes the integer that the report prints. */
+void view_create(struct view *view, const qv_volume *volume, const struct settings *settings);
+
 /* Fills a zeroed scene in which volume, pyramid and sampling are set. */
 void scene_create(qv_scene *scene, struct view *view, const struct model *model,
                   const struct settings *settings);

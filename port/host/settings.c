@@ -5,6 +5,7 @@
 #include "error.h"
 #include "parallel.h"
 #include "pixel_format.h"
+#include "settings_freevoxel.h"
 #include "settings_slices.h"
 
 #include <stddef.h>
@@ -162,10 +163,16 @@ static void set_shade(struct settings *settings, const char *option, const char 
     settings->shade = true;
 }
 
+/* That of --shade has two numbers; light from outside has a colour, too. */
 static void set_light(struct settings *settings, const char *option, const char *value)
 {
+    const char *comma = strchr(value, ',');
+    if (comma != NULL && strchr(comma + 1, ',') != NULL) {
+        set_lamp(settings, option, value);
+        return;
+    }
     if (!read_decimals(value, ',', 2, settings->light)) {
-        usage_error(option, "'%s' is not RIGHT,UP in degrees", value);
+        usage_error(option, "'%s' is not RIGHT,UP in degrees, nor AZ,EL,RRGGBB", value);
     }
     settings->light_given = true;
 }
@@ -362,7 +369,7 @@ const struct option_spec option_specs[] = {
     {"mask", 0, "FILE", "a scan of one organ: where it is above 0 it stands in for IN", set_mask,
      GROUP_CLASSIFY},
     {"mask-tf", 0, "NAME|FILE", "transfer function of the mask", set_mask_transfer, GROUP_CLASSIFY},
-    {"light", 0, "RIGHT,UP", "degrees from the viewer to the light (-40,40)", set_light,
+    {"light", 0, "RIGHT,UP", "degrees from the viewer to the light of --shade (-40,40)", set_light,
      GROUP_CLASSIFY},
 
     {"sampling", 0, "MODE", "how samples are made, see below (weighted)", set_sampling,
@@ -375,21 +382,21 @@ const struct option_spec option_specs[] = {
      set_filter, GROUP_LEVELS},
     {"domain", 0, "DOMAIN", "averaged for them: extinction or opacity (extinction)", set_domain,
      GROUP_LEVELS},
-    {"size", 's', "WxH", "of the frame in pixels (512x512)", set_size, GROUP_PICTURE},
+    {"size", 's', "WxH", "of the frame in pixels (512x512)", set_size, GROUP_FRAME},
     {"azimuth", 0, "DEG", "moves the viewer from -y towards +x (0)", set_azimuth, GROUP_VIEW},
     {"elevation", 0, "DEG", "lifts the viewer towards +z (0)", set_elevation, GROUP_VIEW},
     {"roll", 0, "DEG", "turns the camera clockwise (0)", set_roll, GROUP_VIEW},
-    {"zoom", 0, "FACTOR", "at 1 the whole box fits at any angle (1)", set_zoom, GROUP_PICTURE},
+    {"zoom", 0, "FACTOR", "at 1 the whole box fits at any angle (1)", set_zoom, GROUP_FRAME},
     {"perspective", 0, "DEG", "field of view from top to bottom, 1 to 150", set_perspective,
-     GROUP_PICTURE},
+     GROUP_FRAME},
     {"step", 0, "VOXELS", "between samples, of the smallest spacing (1)", set_step, GROUP_PICTURE},
     {"phase", 0, "SHARE", "of a step: shifts the samples, below 1 (0)", set_phase, GROUP_PICTURE},
-    {"background", 0, "COLOUR", "RRGGBB or transparent (000000)", set_background, GROUP_PICTURE},
+    {"background", 0, "COLOUR", "RRGGBB or transparent (000000)", set_background, GROUP_FRAME},
     {"termination", 0, "SHARE", "of light at which a ray or pixel ends, front to back (64/65535)",
      set_termination, GROUP_PICTURE},
-    {"format", 0, "FORMAT", "pixels as a display takes them, see below", set_format, GROUP_PICTURE},
+    {"format", 0, "FORMAT", "pixels as a display takes them, see below", set_format, GROUP_FRAME},
     {"as", 0, "KIND", "png, pam or raw (the device's bytes), whatever FILE ends in", set_container,
-     GROUP_PICTURE},
+     GROUP_FRAME},
     {"compositing", 0, "HOW", "rays, or slices in a frame buffer that stays, see below (rays)",
      set_compositing, GROUP_PICTURE},
     {"framebuffer", 0, "BITS", "8, 12, 16 or 24 a channel, or 565 (8)", set_framebuffer,
@@ -416,6 +423,34 @@ const struct option_spec option_specs[] = {
     {"bricks", 0, "XxYxZ", "parts of the volume, each drawn into a buffer of its own", set_bricks,
      GROUP_PICTURE},
     {"strip", 0, "ROWS", "rendered at a time; changes no byte (16)", set_strip, GROUP_PICTURE},
+
+    {"directions", 0, "all|faces|LIST", "that light is kept for, as in +x,-y,+x+z (all)",
+     set_directions, GROUP_FREEVOXEL},
+    {"order", 0, "ORDER", "of voxels in the file: linear, morton or hilbert (linear)",
+     set_voxel_order, GROUP_FREEVOXEL},
+    {"levels", 0, "N", "coarser levels (all, down to one voxel)", set_level_count, GROUP_FREEVOXEL},
+    {"hierarchy", 0, "KIND", "light of levels: geometric means, or rebuilt of each (geometric)",
+     set_hierarchy, GROUP_FREEVOXEL},
+    {"uncorrected", 0, NULL, "opacities hold for a step of any direction, as published",
+     set_uncorrected, GROUP_FREEVOXEL},
+
+    {"splatting", 0, "HOW", "added: no leak; or over, the conventional one (added)", set_splatting,
+     GROUP_SPLAT},
+    {"kernel", 0, "KERNEL", "linear or quadratic, 2 or 3 voxels wide (linear)", set_kernel,
+     GROUP_SPLAT},
+    {"nearest", 0, NULL, "light of the nearest direction, as published; else between them",
+     set_nearest, GROUP_SPLAT},
+    {"level", 0, "L", "the finest that is drawn; 0 is the volume (0)", set_finest_level,
+     GROUP_SPLAT},
+    {"levels", 0, NULL, "coarser ones, too, where their voxels are narrow in the picture",
+     set_coarser_levels, GROUP_SPLAT},
+    {"detail", 0, "PIXELS", "that width, below 256 (1)", set_detail, GROUP_SPLAT},
+    {"part", 0, "K/N", "of the voxels: those whose place in the file is K - 1 modulo N", set_part,
+     GROUP_SPLAT},
+    {"light", 0, "AZ,EL,RRGGBB", "from where a viewer of these angles stands; up to 4 times",
+     set_lamp, GROUP_SPLAT},
+    {"ambient", 0, "RRGGBB", "light from everywhere, beside --light AZ,EL,RRGGBB (000000)",
+     set_ambient, GROUP_LIGHTING},
 
     {"reduce", 0, "F|FXxFYxFZ", "means over boxes of that many voxels", set_reduce, GROUP_REDUCE},
     {"fit", 0, "BYTES", "smallest factors with which voxels and palette fit", set_fit,

@@ -50,6 +50,8 @@ enum sequence_kind {
 /* Bytes of an entry. */
 enum table_kind { TABLE_NONE = 0, TABLE_OPACITY = 1, TABLE_COLOUR = 4 };
 enum container { CONTAINER_BY_ENDING, CONTAINER_PNG, CONTAINER_PAM, CONTAINER_RAW };
+enum splatting_kind { SPLATTING_ADDED, SPLATTING_OVER };
+enum kernel_kind { KERNEL_LINEAR, KERNEL_QUADRATIC };
 
 /* Slices and the frame buffer that they are blended into. 0: not given. */
 struct slice_settings {
@@ -68,6 +70,43 @@ struct slice_settings {
     bool still;
     uint32_t chunk;     /* slices */
     uint32_t bricks[3]; /* parts of each axis */
+};
+
+/* A FreeVoxel file that is made. */
+struct freevoxel_settings {
+    uint32_t directions; /* a set; 0: all */
+    int order;           /* enum freevoxel_order */
+    bool hierarchy_given;
+    int hierarchy; /* enum freevoxel_hierarchy, where there are levels */
+    bool levels_given;
+    unsigned levels;  /* coarser ones; not given: as many as the size has */
+    bool uncorrected; /* opacities hold for a step of any direction */
+};
+
+/* A FreeVoxel file that is drawn. */
+struct splat_settings {
+    int splatting; /* enum splatting_kind */
+    int kernel;    /* enum kernel_kind */
+    bool nearest;
+    unsigned level; /* the finest */
+    bool levels;    /* coarser ones too, where their voxels are narrow enough */
+    bool detail_given;
+    double detail;  /* pixels */
+    uint32_t part;  /* of the voxels, counted from 1 */
+    uint32_t parts; /* 0: all of them */
+};
+
+/* Light from outside. */
+struct lamp_settings {
+    double angles[2]; /* degrees: azimuth, elevation */
+    uint8_t colour[3];
+};
+
+struct lighting_settings {
+    struct lamp_settings lamps[QV_LAMPS_MAX];
+    unsigned count;
+    bool ambient_given;
+    uint8_t ambient[3];
 };
 
 struct settings {
@@ -119,6 +158,9 @@ struct settings {
     uint32_t strip;     /* rows rendered at a time; 0: by default */
 
     struct slice_settings slices;
+    struct freevoxel_settings freevoxel;
+    struct splat_settings splat;
+    struct lighting_settings lighting;
 
     uint32_t reduce[3]; /* 0: not given */
     uint64_t fit;       /* bytes; 0: not given */
@@ -143,7 +185,11 @@ enum option_group {
     GROUP_COMMON = 512,
     GROUP_REDUCE = 1024,
     GROUP_LEVELS = 2048,
-    GROUP_TABLE = 4096
+    GROUP_TABLE = 4096,
+    GROUP_FRAME = 8192,
+    GROUP_FREEVOXEL = 16384,
+    GROUP_SPLAT = 32768,
+    GROUP_LIGHTING = 65536
 };
 
 struct option_spec {

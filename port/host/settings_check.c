@@ -4,6 +4,7 @@
 #include "settings.h"
 #include "error.h"
 #include "picture.h"
+#include "settings_freevoxel.h"
 #include "settings_slices.h"
 #include "voxel_storage.h"
 
@@ -44,6 +45,7 @@ void settings_refuse(const struct option_need *needs, unsigned count)
 void settings_check_needs(const struct settings *settings, int groups)
 {
     bool exports = (groups & GROUP_EXPORT) != 0;
+    bool levels = exports || settings->level_given || settings_make_levels(settings, groups);
     bool array = settings_want_array(settings);
     bool unit = settings->unit_distance > 0;
     bool back_to_front = settings_back_to_front(settings);
@@ -61,10 +63,8 @@ void settings_check_needs(const struct settings *settings, int groups)
          "another --sampling: nearest and separate have no levels"},
         {"--level", settings->level_given, !back_to_front || settings->slices.wanted,
          "--order front-to-back"},
-        {"--filter", settings->filter != FILTER_BY_SAMPLING, exports || settings->level_given,
-         "--level"},
-        {"--domain", settings->domain != DOMAIN_BY_DEFAULT, exports || settings->level_given,
-         "--level"},
+        {"--filter", settings->filter != FILTER_BY_SAMPLING, levels, "--level"},
+        {"--domain", settings->domain != DOMAIN_BY_DEFAULT, levels, "--level"},
         {"--gain", settings->gain_given, settings->output != NULL, "--output"},
         {"--name", settings->name != NULL, array, "an output that ends in .c or .h"},
         {"--endian", settings->endian_given && exports, !array,
@@ -72,6 +72,7 @@ void settings_check_needs(const struct settings *settings, int groups)
     };
     settings_refuse(needs, sizeof needs / sizeof needs[0]);
     settings_check_slices(settings, groups);
+    settings_check_freevoxel(settings, groups);
 }
 
 qv_storage settings_storage(const struct settings *settings, qv_storage by_default)

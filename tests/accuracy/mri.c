@@ -3,19 +3,14 @@
  * ch2.nii.gz of Debian's mricron-data, classified with a table.
  */
 #include "check.h"
+#include "scan.h"
 #include "tally.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define SCAN_FILE   "/usr/share/mricron/templates/ch2.nii.gz"
-#define SCAN_HEADER 352 /* bytes before the voxels of a NIfTI-1 file */
-#define SCAN_X      181
-#define SCAN_Y      217
-#define SCAN_Z      181
-#define SCAN_VOXELS ((size_t)SCAN_X * SCAN_Y * SCAN_Z)
-#define EDGE        128 /* pixels of the square frame */
+#define EDGE 128 /* pixels of the square frame */
 
 static const double pi = 3.14159265358979323846;
 static const double least_equal = 0.99;
@@ -48,32 +43,11 @@ static const storage_kind storages[] = {
 
 /* ---- The scan and its classification --------------------------------------- */
 
-static size_t read_scan(unsigned char *scan)
+/* The table with 8 bits a channel, each cut. */
+static void narrow(uint8_t palette8[QV_PALETTE_ENTRIES][4],
+                   uint16_t palette16[QV_PALETTE_ENTRIES][4])
 {
-    unsigned char header[SCAN_HEADER];
-    size_t got = 0;
-    FILE *pipe = popen("gzip -dc " SCAN_FILE, "r");
-    if (pipe == NULL) {
-        return 0;
-    }
-    if (fread(header, 1, sizeof header, pipe) == sizeof header) {
-        got = fread(scan, 1, SCAN_VOXELS, pipe);
-    }
-    (void)pclose(pipe);
-    return got;
-}
-
-/* Skin faint and reddish, brain denser and pale: colours and opacities that change with value. */
-static void make_palette(uint16_t palette16[QV_PALETTE_ENTRIES][4],
-                         uint8_t palette8[QV_PALETTE_ENTRIES][4])
-{
-    const uint32_t air = 24, highest = QV_PALETTE_ENTRIES - 1;
-    for (uint32_t value = 0; value <= highest; value++) {
-        const uint32_t above = value < air ? 0 : value - air;
-        palette16[value][0] = (uint16_t)(0xffff - 40 * value);
-        palette16[value][1] = (uint16_t)(257 * value);
-        palette16[value][2] = (uint16_t)(0xffff * value * value / (highest * highest));
-        palette16[value][3] = (uint16_t)(above * above * above / 260);
+    for (int value = 0; value < QV_PALETTE_ENTRIES; value++) {
         for (int channel = 0; channel < 4; channel++) {
             palette8[value][channel] = (uint8_t)(palette16[value][channel] / 257);
         }
@@ -84,11 +58,11 @@ static void make_palette(uint16_t palette16[QV_PALETTE_ENTRIES][4],
 static unsigned char *classify(const unsigned char *scan, const storage_kind *kind,
                                const unsigned char *palette)
 {
-    unsigned char *voxels = malloc(SCAN_VOXELS * kind->voxel_bytes);
+    unsigned char *voxels = malloc(REF_SCAN_VOXELS * kind->voxel_bytes);
     if (voxels == NULL || kind->voxel_bytes == 1) {
-        return voxels == NULL ? NULL : memcpy(voxels, scan, SCAN_VOXELS);
+        return voxels == NULL ? NULL : memcpy(voxels, scan, REF_SCAN_VOXELS);
     }
-    for (size_t i = 0; i < SCAN_VOXELS; i++) {
+    for (size_t i = 0; i < REF_SCAN_VOXELS; i++) {
         memcpy(voxels + i * kind->voxel_bytes, palette + scan[i] * kind->voxel_bytes,
                kind->voxel_bytes);
     }
@@ -101,18 +75,18 @@ static void describe(qv_volume *volume, const storage_kind *kind, const unsigned
     const int32_t stride = (int32_t)kind->voxel_bytes;
     const bool indexed = kind->voxel_bytes == 1;
     volume->voxels = voxels;
-    volume->voxels_bytes = SCAN_VOXELS * kind->voxel_bytes;
+    volume->voxels_bytes = REF_SCAN_VOXELS * kind->voxel_bytes;
     volume->palette = indexed ? palette : NULL;
     if (indexed) {
         volume->palette_bytes =
             kind->storage == QV_STORAGE_INDEXED8 ? QV_PALETTE8_BYTES : QV_PALETTE16_BYTES;
     }
-    volume->size[0] = SCAN_X;
-    volume->size[1] = SCAN_Y;
-    volume->size[2] = SCAN_Z;
+    volume->size[0] = REF_SCAN_X;
+    volume->size[1] = REF_SCAN_Y;
+    volume->size[2] = REF_SCAN_Z;
     volume->stride[0] = stride;
-    volume->stride[1] = stride * SCAN_X;
-    volume->stride[2] = stride * SCAN_X * SCAN_Y;
+    volume->stride[1] = stride * REF_SCAN_X;
+    volume->stride[2] = stride * REF_SCAN_X * REF_SCAN_Y;
     volume->storage = (uint8_t)kind->storage;
 }
 
@@ -188,14 +162,15 @@ static void test_view(const storage_kind *kind, const qv_volume *volume, const a
 
 static void test_storage(const storage_kind *kind)
 {
-    static unsigned char scan[SCAN_VOXELS];
+    static unsigned char scan[REF_SCAN_VOXELS];
     static uint16_t palette16[QV_PALETTE_ENTRIES][4];
     static uint8_t palette8[QV_PALETTE_ENTRIES][4];
     const bool wide = kind->storage == QV_STORAGE_RGBA16 || kind->storage == QV_STORAGE_INDEXED8_16;
     const unsigned char *palette = wide ? (const unsigned char *)palette16 : palette8[0];
     qv_volume volume;
-    assert_int_equal(read_scan(scan), SCAN_VOXELS);
-    make_palette(palette16, palette8);
+    assert_true(ref_scan_read(scan));
+    ref_scan_palette(palette16);
+    narrow(palette8, palette16);
     unsigned char *voxels = classify(scan, kind, palette);
     assert_non_null(voxels);
     memset(&volume, 0, sizeof volume);

@@ -3,6 +3,7 @@
 #include "attenuation.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static double spacing_of(const qv_volume *volume, int axis)
 {
@@ -78,54 +79,153 @@ int ref_nearest_direction(const qv_volume *volume, uint32_t directions, const do
     return nearest;
 }
 
+/* ---- Bytes -------------------------------------------------------------------- */
+
+static void level_size(int32_t size[3], const qv_volume *volume, int level)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        size[axis] = (volume->size[axis] + (1 << level) - 1) >> level;
+    }
+}
+
+static uint8_t *byte_at(const ref_bytes *bytes, int level, const int32_t at[3])
+{
+    int32_t size[3];
+    level_size(size, bytes->volume, level);
+    return bytes->level[level][at[0] + size[0] * (at[1] + (int64_t)size[1] * at[2])];
+}
+
+/* The bytes of a level and direction, from the depths of the volume's voxels. */
+static void fill_level(const ref_bytes *made, int level, int direction, const double *depths)
+{
+    int32_t size[3], at[3];
+    level_size(size, made->volume, level);
+    for (at[2] = 0; at[2] < size[2]; at[2]++) {
+        for (at[1] = 0; at[1] < size[1]; at[1]++) {
+            for (at[0] = 0; at[0] < size[0]; at[0]++) {
+                const double depth = ref_mean_depth(depths, made->volume->size, level, at);
+                byte_at(made, level, at)[direction] = (uint8_t)lround(ref_attenuation(depth));
+            }
+        }
+    }
+}
+
+bool ref_bytes_make(ref_bytes *made, const qv_volume *volume, int coarsest)
+{
+    const ref_bytes none = {.volume = volume, .directions = QV_DIRECTIONS_ALL};
+    const size_t voxels = (size_t)volume->size[0] * volume->size[1] * volume->size[2];
+    double *depths = malloc(voxels * sizeof *depths);
+    bool made_all = depths != NULL;
+    *made = none;
+    for (int level = 0; level <= coarsest; level++) {
+        /* no level has more voxels than the volume */
+        made->level[level] = malloc(voxels * sizeof *made->level[level]);
+        made_all = made_all && made->level[level] != NULL;
+    }
+    for (int direction = 0; made_all && direction < (int)QV_DIRECTIONS; direction++) {
+        ref_outer_depths(depths, volume, direction);
+        for (int level = 0; level <= coarsest; level++) {
+            fill_level(made, level, direction, depths);
+        }
+    }
+    free(depths);
+    return made_all;
+}
+
+void ref_bytes_free(ref_bytes *made)
+{
+    for (int level = 0; level < REF_LEVELS; level++) {
+        free(made->level[level]);
+        made->level[level] = NULL;
+    }
+}
+
 /* ---- Depth from bytes --------------------------------------------------------- */
 
-static const uint8_t *bytes_of(const ref_bytes *bytes, int level, const int32_t at[3])
+/* Of one direction alone: the light is the byte's own. */
+static double own_depth(uint8_t byte)
 {
-    int64_t size[2];
-    for (int axis = 0; axis < 2; axis++) {
-        size[axis] = (bytes->volume->size[axis] + (1 << level) - 1) >> level;
+    return byte == 0 ? HUGE_VAL : -log2(byte / 255.0);
+}
+
+/* Where opacities hold for a step of any direction, depths do not change with its length. */
+static bool is_by_step(const qv_volume *volume)
+{
+    return !ref_holds_extinction(volume->storage) && volume->unit_distance == 0;
+}
+
+/* Depth along a step towards v, from the depths of the three directions round it. */
+static double interpolate(const qv_volume *volume, const ref_surrounding *around,
+                          const double depth[3], const double v[3])
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        int step[3];
+        ref_direction_step(step, around->direction[i]);
+        const double along[3] = {step[0], step[1], step[2]};
+        const double length = is_by_step(volume) ? 1 : ref_step_length(volume, along);
+        if (around->weight[i] == 1) {
+            return depth[i];
+        }
+        sum += around->weight[i] * depth[i] / length;
     }
-    return bytes->level[level][at[0] + size[0] * (at[1] + size[1] * at[2])];
-}
-
-static double byte_depth(uint8_t byte)
-{
-    return byte == 0 ? REF_DARK_DEPTH : -log2(byte / 255.0);
-}
-
-/* The same in a set's nearest direction, as published: the light is the byte's own. */
-static double nearest_depth(const ref_bytes *bytes, const uint8_t *of, const double v[3])
-{
-    const uint8_t byte = of[ref_nearest_direction(bytes->volume, bytes->directions, v)];
-    return byte == 0 ? HUGE_VAL : byte_depth(byte);
-}
-
-/* Where opacities hold for a step of any direction, so do depths. */
-static double depth_per_length(const qv_volume *volume, int direction, double depth)
-{
-    int step[3];
-    ref_direction_step(step, direction);
-    const double v[3] = {step[0], step[1], step[2]};
-    const bool by_step = !ref_holds_extinction(volume->storage) && volume->unit_distance == 0;
-    return by_step ? depth : depth / ref_step_length(volume, v);
+    return is_by_step(volume) ? sum : sum * ref_step_length(volume, v);
 }
 
 double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const double v[3])
 {
     const ref_bytes *bytes = in;
-    const uint8_t *of = bytes_of(bytes, level, at);
     const qv_volume *volume = bytes->volume;
-    const bool by_step = !ref_holds_extinction(volume->storage) && volume->unit_distance == 0;
+    const uint8_t *of = byte_at(bytes, level, at);
     ref_surrounding around;
-    double sum = 0;
+    double depth[3];
     if (bytes->nearest) {
-        return nearest_depth(bytes, of, v);
+        return own_depth(of[ref_nearest_direction(volume, bytes->directions, v)]);
     }
     ref_surround(&around, v);
     for (int i = 0; i < 3; i++) {
-        const double depth = byte_depth(of[around.direction[i]]);
-        sum += around.weight[i] * depth_per_length(volume, around.direction[i], depth);
+        const double own = own_depth(of[around.direction[i]]);
+        depth[i] = around.weight[i] < 1 ? fmin(own, REF_DARK_DEPTH) : own;
     }
-    return by_step ? sum : sum * ref_step_length(volume, v);
+    return interpolate(volume, &around, depth, v);
+}
+
+/* ---- Depth between three directions, without bytes -------------------------------- */
+
+bool ref_outside_make(ref_outside *made, const qv_volume *volume)
+{
+    const size_t voxels = (size_t)volume->size[0] * volume->size[1] * volume->size[2];
+    double *depths = malloc(voxels * sizeof *depths);
+    made->volume = volume;
+    made->depth = malloc(voxels * sizeof *made->depth);
+    const bool has_memory = depths != NULL && made->depth != NULL;
+    for (int direction = 0; has_memory && direction < (int)QV_DIRECTIONS; direction++) {
+        ref_outer_depths(depths, volume, direction);
+        for (size_t i = 0; i < voxels; i++) {
+            made->depth[i][direction] = depths[i];
+        }
+    }
+    free(depths);
+    return has_memory;
+}
+
+void ref_outside_free(ref_outside *made)
+{
+    free(made->depth);
+    made->depth = NULL;
+}
+
+double ref_depth_between(const void *in, int level, const int32_t at[3], const double v[3])
+{
+    const ref_outside *outside = in;
+    const uint16_t *size = outside->volume->size;
+    const double *of = outside->depth[at[0] + size[0] * (at[1] + (int64_t)size[1] * at[2])];
+    ref_surrounding around;
+    double depth[3];
+    (void)level;
+    ref_surround(&around, v);
+    for (int i = 0; i < 3; i++) {
+        depth[i] = of[around.direction[i]];
+    }
+    return interpolate(outside->volume, &around, depth, v);
 }

@@ -31,7 +31,7 @@ void ref_surround(ref_surrounding *found, const double v[3]);
 /* The direction of a set at the least angle to v, in world units. */
 int ref_nearest_direction(const qv_volume *volume, uint32_t directions, const double v[3]);
 
-/* Where a byte of 0 lets nothing through, interpolation takes it for this depth. */
+/* What a byte of 0 counts as where other bytes count as well. */
 #define REF_DARK_DEPTH 10
 
 #define REF_LEVELS 13 /* 0 .. 12 */
@@ -39,18 +39,36 @@ int ref_nearest_direction(const qv_volume *volume, uint32_t directions, const do
 /* All 26 bytes of the voxels of each level, x fastest. */
 typedef struct ref_bytes {
     const qv_volume *volume; /* level 0 */
-    const uint8_t (*level[REF_LEVELS])[QV_DIRECTIONS];
+    uint8_t (*level[REF_LEVELS])[QV_DIRECTIONS];
     bool nearest;        /* of the set, rather than between three of all 26 */
     uint32_t directions; /* the set */
 } ref_bytes;
 
+/* Makes the bytes of level 0 up to `coarsest`, each rounded from its exact value; of the
+   directions between three. False without memory. */
+bool ref_bytes_make(ref_bytes *made, const qv_volume *volume, int coarsest);
+void ref_bytes_free(ref_bytes *made);
+
 /* ---- Depth between a voxel and the outside -------------------------------- */
 
-/* Along v from a voxel of a level; `in` is the provider's own. */
+/* Along v from a voxel of a level, infinite where all is dark; `in` is the provider's own. */
 typedef double ref_depth_along(const void *in, int level, const int32_t at[3], const double v[3]);
 
 /* From ref_bytes. */
 ref_depth_along ref_depth_of_bytes;
+
+/* All 26 depths of the voxels of level 0, x fastest, not rounded to bytes. */
+typedef struct ref_outside {
+    const qv_volume *volume;
+    double (*depth)[QV_DIRECTIONS];
+} ref_outside;
+
+/* False without memory. */
+bool ref_outside_make(ref_outside *made, const qv_volume *volume);
+void ref_outside_free(ref_outside *made);
+
+/* From ref_outside, between three directions; of level 0 alone. */
+ref_depth_along ref_depth_between;
 
 /* Extinction at the centres of a volume's voxels, depth per world unit, x fastest. */
 typedef struct ref_field {

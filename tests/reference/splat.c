@@ -1,5 +1,7 @@
 #include "freevoxels.h"
 
+#include "attenuation.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -111,7 +113,8 @@ static double width_in_pixels(const ref_splats *splats, int level, const int32_t
 {
     ref_footprint footprint;
     ref_splat_footprint(&footprint, splats, level, at);
-    return footprint.ahead > 0 ? fmax(footprint.width[0], footprint.width[1]) : HUGE_VAL;
+    const bool in_front = splats->view.field_of_view == 0 || footprint.ahead > 0;
+    return in_front ? fmax(footprint.width[0], footprint.width[1]) : HUGE_VAL;
 }
 
 bool ref_splat_is_drawn(const ref_splats *splats, int level, const int32_t at[3])
@@ -130,10 +133,23 @@ bool ref_splat_is_drawn(const ref_splats *splats, int level, const int32_t at[3]
     return drawn;
 }
 
+/* Of what an eye sees, half a voxel by its longest side before it, and not farther beside the
+   frame than half of it. */
+static bool before_eye(const ref_splats *splats, const ref_footprint *footprint, int level)
+{
+    const ref_view *view = &splats->view;
+    double longest = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        longest = fmax(longest, spacing_of(&splats->levels[0], axis));
+    }
+    return footprint->ahead >= ldexp(longest, level) / 2 &&
+           fabs(footprint->centre[0] - view->width / 2) <= view->width &&
+           fabs(footprint->centre[1] - view->height / 2) <= view->height;
+}
+
 static bool in_sight(const ref_splats *splats, const ref_footprint *footprint, int level)
 {
-    const bool in_front = splats->view.field_of_view == 0 ||
-                          footprint->ahead >= spread(splats, splats->view.rotation[2], level) / 2;
+    const bool in_front = splats->view.field_of_view == 0 || before_eye(splats, footprint, level);
     const double least = fmin(footprint->width[0], footprint->width[1]);
     const double most = fmax(footprint->width[0], footprint->width[1]);
     return in_front && least >= least_width && most <= most_width;
@@ -141,14 +157,15 @@ static bool in_sight(const ref_splats *splats, const ref_footprint *footprint, i
 
 /* ---- Light ---------------------------------------------------------------------- */
 
-/* What passes of depth, seen from the eye's voxel if the eye has one. */
+/* To the outside, or to the eye's voxel if the eye has one: there, all counts. */
 static double transmittance(const ref_splats *splats, const double v[3], int level,
                             const int32_t at[3])
 {
     const ref_depths *depths = &splats->depths;
     double depth = depths->along(depths->in, level, at, v);
     if (splats->inside) {
-        depth -= depths->along(depths->in, 0, splats->eye, v);
+        const double counted = isinf(depth) ? REF_DARK_DEPTH : depth;
+        depth = counted - depths->along(depths->in, 0, splats->eye, v);
     }
     return exp2(-fmax(depth, 0));
 }
@@ -179,13 +196,29 @@ static void illuminate(double light[3], const ref_splats *splats, int level, con
     }
 }
 
-/* The opacity of a voxel along a step towards the viewer. */
-static double step_opacity(const qv_volume *level, double channel, const double v[3])
+/* The way along which a voxel's opacity counts: to the viewer, or as light is taken to go. */
+static void way_of_light(double v[3], const ref_splats *splats, const double toward[3])
 {
-    if (!ref_holds_extinction(level->storage) && level->unit_distance == 0) {
-        return channel;
+    const qv_splat_scene *scene = splats->scene;
+    const uint32_t directions = splats->over ? QV_DIRECTIONS_ALL : scene->directions;
+    int step[3];
+    if (scene->nearest) {
+        ref_direction_step(step, ref_nearest_direction(&splats->levels[0], directions, toward));
     }
-    return -expm1(-log(2) * ref_extinction(channel, level) * ref_step_length(level, v));
+    for (int axis = 0; axis < 3; axis++) {
+        v[axis] = scene->nearest ? step[axis] : toward[axis];
+    }
+}
+
+/* The opacity of a voxel along a step. Where opacities hold for a step of any direction, it is
+   one of level 0. */
+static double step_opacity(const ref_splats *splats, int level, double channel, const double v[3])
+{
+    const qv_volume *volume = &splats->levels[0];
+    const bool by_step = !ref_holds_extinction(volume->storage) && volume->unit_distance == 0;
+    const double depth =
+        by_step ? ref_depth(channel) : ref_extinction(channel, volume) * ref_step_length(volume, v);
+    return -expm1(-log(2) * ldexp(depth, level));
 }
 
 /* ---- Splats --------------------------------------------------------------------- */
@@ -197,33 +230,54 @@ typedef struct splat {
     double weight; /* with which a layer of splats across the view adds up to 1 */
 } splat;
 
+/*
+ * With how many layers of voxels a splat's share in the volume is to be multiplied, so that the
+ * splats of each layer add up to 1: a voxel fills its volume, and its kernel covers a column of
+ * the area of width times height. Lengths double on each level, which leaves the quotient as it
+ * is.
+ */
+static double layer_weight(const ref_splats *splats, const double toward[3])
+{
+    const ref_view *view = &splats->view;
+    double voxel = 1, layers = 0, ahead = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double side = spacing_of(&splats->levels[0], axis);
+        voxel *= side;
+        layers = fmax(layers, fabs(toward[axis]));
+        ahead -= toward[axis] * side * view->rotation[2][axis];
+    }
+    const double area = spread(splats, view->rotation[0], 0) * spread(splats, view->rotation[1], 0);
+    return voxel / area * layers / ahead;
+}
+
 static void make_splat(splat *made, const ref_splats *splats, int level, const int32_t at[3])
 {
-    const qv_volume *volume = &splats->levels[level];
     const double *toward = made->footprint.toward;
-    double rgba[4], lit[3];
-    ref_voxel(rgba, volume, at);
+    double rgba[4], lit[3], v[3];
+    ref_voxel(rgba, &splats->levels[level], at);
     illuminate(lit, splats, level, at);
-    made->light[3] = step_opacity(volume, rgba[3], toward);
+    way_of_light(v, splats, toward);
+    made->light[3] = step_opacity(splats, level, rgba[3], v);
     for (int channel = 0; channel < 3; channel++) {
         made->light[channel] = rgba[channel] * lit[channel] * made->light[3];
     }
-    /* every length is twice as long on each level, which leaves the quotient as it is */
-    made->weight = 1 / ref_step_length(&splats->levels[0], toward);
-    for (int axis = 0; axis < 3; axis++) {
-        made->weight *= spacing_of(&splats->levels[0], axis);
-    }
-    for (int axis = 0; axis < 2; axis++) {
-        made->weight /= spread(splats, splats->view.rotation[axis], 0);
+    made->weight = layer_weight(splats, toward);
+}
+
+/* Adds a share of it (equation 10). */
+static void add(ref_sums sum, const splat *of, double part)
+{
+    for (int channel = 0; channel < 4; channel++) {
+        sum[channel] += of->light[channel] * part;
     }
 }
 
-/* Adds (equation 10) or blends (equation 9) a share of it. */
-static void put(ref_sums sum, const ref_splats *splats, const splat *of, double part)
+/* Blends a share of it (equation 9), of which no channel is more than 1. */
+static void blend(ref_sums sum, const splat *of, double part)
 {
-    const double kept = splats->over ? 1 - of->light[3] * part : 1;
+    const double kept = 1 - fmin(of->light[3] * part, 1);
     for (int channel = 0; channel < 4; channel++) {
-        sum[channel] = sum[channel] * kept + of->light[channel] * part;
+        sum[channel] = fmin(sum[channel] * kept + fmin(of->light[channel] * part, 1), 1);
     }
 }
 
@@ -251,7 +305,11 @@ static void put_all(ref_sums *sums, const ref_splats *splats, const splat *of)
         const double row = of->weight * share(splats, y, footprint->centre[1], footprint->width[1]);
         for (int x = left; x < right; x++) {
             const double column = share(splats, x, footprint->centre[0], footprint->width[0]);
-            put(sums[y * width + x], splats, of, row * column);
+            if (splats->over) {
+                blend(sums[y * width + x], of, row * column);
+            } else {
+                add(sums[y * width + x], of, row * column);
+            }
         }
     }
 }
