@@ -1,6 +1,7 @@
 #!/bin/sh
 # The tables of fixedpoint are what their generator writes, byte for byte, and
-# take at most 1.5 KB beside the optional one for 8-bit opacities, at most 1 KB.
+# take at most 1.5 KB beside the optional one for 8-bit opacities, at most 1 KB. A
+# program links those that what it names reads, and no other.
 set -eu
 . tests/tap
 : "${BUILD:=build}"
@@ -32,4 +33,35 @@ outcome $status "tables: $total of $LIMIT bytes"
 status=0
 { [ "$total8" -gt 0 ] && [ "$total8" -le $LIMIT8 ]; } || status=1
 outcome $status "table of 8-bit opacities: $total8 of $LIMIT8 bytes"
+
+links() { # links NAME [TABLE]...: the tables in a program for a Cortex-M0 that names NAME
+    name=$1
+    shift
+    arm-none-eabi-gcc -mcpu=cortex-m0 -mthumb -nostdlib -r -Wl,--gc-sections,-e,"$name",-u,"$name" \
+        "$BUILD/cortex-m0/libqvol.a" -lgcc -o "$work/linked" || return 1
+    found=$(arm-none-eabi-nm "$work/linked" | sed -n 's/^[0-9a-f]* [rR] \([a-z0-9]*\)_.*/\1/p' |
+        grep -x -e exp -e log -e log8 -e phi | sort -u | xargs)
+    echo "$name: '$found', wanted '$*'"
+    [ "$found" = "$*" ] && arm-none-eabi-nm "$work/linked" | grep -q " $name\$"
+}
+
+make -s TARGET=cortex-m0 BUILD="$BUILD" lib >&2
+while read -r name tables; do
+    # shellcheck disable=SC2086 # several tables
+    check "$name links ${tables:-no table}" links "$name" $tables
+done <<'NAMES'
+qv_weighted_rgba8
+qv_corrected_rgba8 exp log phi
+qv_extinction_rgbt8 exp phi
+qv_extinction_rgbt16_levels exp phi
+qv_extinction_rgba8 exp log8 phi
+qv_extinction_rgba16 exp log phi
+qv_bspline_weighted_rgba16 exp log phi
+qv_bspline_extinction_rgbt16 exp phi
+qv_downsample
+qv_domain_stored
+qv_domain_extinction exp log
+qv_opacity_to_extinction log
+qv_extinction_to_opacity exp
+NAMES
 finish
