@@ -80,7 +80,7 @@ static void add_to_blocks(const bundle *b, const row *r, const pass *p)
         uint16_t voxel[3];
         fx_depth depth = b->depth[line] < FX_OPAQUE_DEPTH ? b->depth[line] : FX_OPAQUE_DEPTH;
         find_voxel(voxel, r, line, p);
-        p->blocks[qv_block_index(p->volume->size, voxel)] +=
+        p->blocks[qv_attenuation_block(p->volume->size, voxel)] +=
             (uint32_t)((depth + ((fx_depth)1 << (BLOCK_SHIFT - 1u))) >> BLOCK_SHIFT);
     }
 }
@@ -219,7 +219,7 @@ static qv_status check_overlap(const void *to, const uint32_t *blocks,
                                const qv_attenuation *attenuation, const qv_volume *volume)
 {
     uint64_t bytes = qv_attenuation_bytes(attenuation);
-    uint64_t block_bytes = qv_blocks_bytes(volume->size);
+    uint64_t block_bytes = qv_attenuation_blocks(volume->size);
     if (qv_palette_meets(volume, to, bytes) ||
         (qv_voxels_meet(volume, to, bytes) && !in_gaps(volume, to, attenuation)))
         return QV_ERROR_OVERLAP;
@@ -270,7 +270,7 @@ qv_status qv_attenuate(void *to, size_t bytes, uint32_t *blocks, const qv_attenu
         return status;
     p.blocks = blocks;
     if (blocks)
-        memset(blocks, 0, (size_t)qv_blocks_bytes(volume->size));
+        memset(blocks, 0, (size_t)qv_attenuation_blocks(volume->size));
     pass_volume(&p);
     return QV_OK;
 }

@@ -25,7 +25,7 @@ static uint64_t sum_of(const uint32_t *blocks, const uint16_t size[3], const uin
     for (at[2] = first[2]; at[2] < end[2]; at[2] = (uint16_t)(at[2] + 2u))
         for (at[1] = first[1]; at[1] < end[1]; at[1] = (uint16_t)(at[1] + 2u))
             for (at[0] = first[0]; at[0] < end[0]; at[0] = (uint16_t)(at[0] + 2u))
-                sum += blocks[qv_block_index(size, at)];
+                sum += blocks[qv_attenuation_block(size, at)];
     return sum;
 }
 
@@ -74,7 +74,7 @@ qv_status qv_attenuate_level(void *to, size_t bytes, const qv_attenuation *atten
     if (status != QV_OK)
         return status;
     if (qv_regions_meet((uintptr_t)blocks - (uintptr_t)to, qv_attenuation_bytes(attenuation),
-                        qv_blocks_bytes(size)))
+                        qv_attenuation_blocks(size)))
         return QV_ERROR_OVERLAP;
 
     for (at[2] = 0; at[2] < end[2]; at[2]++)

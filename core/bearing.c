@@ -124,24 +124,27 @@ static qv_status between(qv_bearing *bearing, uint32_t *length, const qv_compass
     return QV_OK;
 }
 
-/*
- * Of a direction's step, the length as part of the longest, Q1.31; and its cosine to w, in
- * units of |w| * 2^-18. w is a vector in world units, up to 2^31 on each axis.
- */
-static int64_t cosine_of(uint32_t *length, const qv_compass *compass, const int32_t w[3],
-                         uint8_t direction)
+/* Cosine between w and a direction, in units of |w| * 2^-18. w is a vector in world units, up to
+   2^31 on each axis. */
+static int64_t cosine_of(const qv_compass *compass, const int32_t w[3], const int8_t step[3])
 {
-    int8_t step[3];
-    uint32_t way[3];
-    int64_t dot = 0; /* |dot| <= |w| * length <= sqrt 3 * 2^31 */
-    qv_direction_step(step, direction);
+    int64_t dot = 0; /* at most |w| times the step's length, sqrt 3 * 2^31 * 2^31 / 2^31 */
     for (unsigned axis = 0; axis < 3; axis++) {
-        way[axis] = step[axis] != 0 ? compass->side[axis] : 0;
-        int64_t product = (int64_t)(fx_wide_product(magnitude(w[axis]), way[axis]) >> 31);
+        if (step[axis] == 0)
+            continue;
+        int64_t product = (int64_t)(fx_wide_product(magnitude(w[axis]), compass->side[axis]) >> 31);
         dot += (w[axis] < 0) == (step[axis] < 0) ? product : -product;
     }
-    *length = qv_length_of(way);
     return fx_multiply(dot, (int32_t)(compass->inverse[axes_of(step)] >> 1)); /* < 2^32 * 2^31 */
+}
+
+/* Length of a direction's step as part of the longest, Q1.31. */
+static uint32_t step_length(const qv_compass *compass, const int8_t step[3])
+{
+    uint32_t way[3];
+    for (unsigned axis = 0; axis < 3; axis++)
+        way[axis] = step[axis] != 0 ? compass->side[axis] : 0;
+    return qv_length_of(way);
 }
 
 /* The direction of the set that is nearest by angle; of equals, the one with the lowest number.
@@ -151,25 +154,29 @@ static qv_status nearest(qv_bearing *bearing, uint32_t *length, const qv_compass
 {
     int32_t world[3];
     uint32_t size[3];
+    int8_t step[3];
+    uint8_t taken = QV_DIRECTIONS;
     for (unsigned axis = 0; axis < 3; axis++) {
         size[axis] = (uint32_t)(fx_wide_product(magnitude(v[axis]), compass->side[axis]) >> 31);
         world[axis] = v[axis] < 0 ? -(int32_t)size[axis] : (int32_t)size[axis];
     }
     int64_t best = (int64_t)((uint64_t)qv_length_of(size) << 17);
-    int found = 0;
     for (uint8_t direction = 0; direction < QV_DIRECTIONS; direction++) {
-        uint32_t way;
         if ((compass->directions >> direction & 1u) == 0)
             continue;
-        int64_t cosine = cosine_of(&way, compass, world, direction);
-        if (cosine <= best)
-            continue;
-        best = cosine;
-        *length = way;
-        set_one(bearing, qv_direction_slot(compass->directions, direction));
-        found = 1;
+        qv_direction_step(step, direction);
+        int64_t cosine = cosine_of(compass, world, step);
+        if (cosine > best) {
+            best = cosine;
+            taken = direction;
+        }
     }
-    return found ? QV_OK : QV_ERROR_DIRECTION;
+    if (taken == QV_DIRECTIONS)
+        return QV_ERROR_DIRECTION;
+    qv_direction_step(step, taken);
+    *length = step_length(compass, step);
+    set_one(bearing, qv_direction_slot(compass->directions, taken));
+    return QV_OK;
 }
 
 qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
@@ -256,10 +263,21 @@ static uint64_t depth_along(const qv_bearing *bearing, qv_address bytes)
     return depth;
 }
 
+/* Whether all of the bytes that count are 0. */
+static int is_hidden(const qv_bearing *bearing, qv_address bytes)
+{
+    for (unsigned i = 0; i < 3; i++)
+        if (bearing->weight[i] != 0 && qv_read8(qv_at(bytes, bearing->slot[i])) != 0)
+            return 0;
+    return 1;
+}
+
 uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside)
 {
     if (bearing->one && !inside)
         return 0x01010101u * qv_read8(qv_at(bytes, bearing->slot[0]));
+    if (is_hidden(bearing, bytes))
+        return 0;
     uint64_t depth = depth_along(bearing, bytes);
     uint64_t less = inside ? depth_along(bearing, inside) : 0;
     uint32_t clear = fx_transmittance(depth > less ? (depth - less) >> 11 : 0);

@@ -17,7 +17,7 @@
 /* Unit of qv_bearing.weight, Q13.19. */
 #define QV_BEARING_ONE 0x80000u
 
-/* Depth of a byte of 0 between other directions, Q8.24: 10, a quarter of a byte's step. */
+/* Depth of a byte of 0 between others that are not, Q8.24: 10, a quarter of a byte's step. */
 #define QV_HIDDEN ((uint32_t)10 << 24)
 
 /* Prepares what bearings in a volume of this spacing have in common. */
@@ -39,7 +39,8 @@ uint32_t qv_bearing_reach(int32_t corner[4][3]);
 /*
  * Transmittance along a bearing for a voxel with these bytes, Q0.32 with 2^32 - 1 for 1. `inside`:
  * null, or the bytes of the voxel up to which light is followed (section 3.3: A_B / A_V). Of one
- * direction it is the byte itself; between three, within 2^-17.
+ * direction it is the byte itself; between three, within 2^-17; nothing
+ * passes where all that count are 0.
  */
 uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside);
 

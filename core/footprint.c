@@ -5,8 +5,11 @@
 
 #define HALF_PIXEL 0x8000
 
-/* Of a kernel, on either side of its middle, Q0.32. */
-#define HALF_OF_IT ((uint32_t)1 << 31)
+/* Half of the kernel's integral, Q0.32. */
+#define HALF ((uint32_t)1 << 31)
+
+/* 1 / (1/2) as Q5.27, which fx_reciprocal only comes near. */
+#define TWO_Q27 ((uint32_t)2 << 27)
 
 void qv_footprint_of(qv_footprint *footprint, const qv_kernel *kernel, int64_t centre,
                      uint32_t size)
@@ -19,7 +22,7 @@ void qv_footprint_of(qv_footprint *footprint, const qv_kernel *kernel, int64_t c
     footprint->shift = 0;
     for (; half >> 30 == 0; half <<= 1)
         footprint->shift++; /* at most 20 */
-    footprint->reciprocal = fx_reciprocal(half);
+    footprint->reciprocal = half == (uint32_t)1 << 30 ? TWO_Q27 : fx_reciprocal(half);
 }
 
 static int32_t clamp(int64_t v, int32_t least, int32_t most)
@@ -44,22 +47,21 @@ static uint32_t integral(const qv_kernel *kernel, uint32_t part)
 {
     uint32_t entry = part >> 16;
     if (entry >= QV_KERNEL_PARTS)
-        return HALF_OF_IT;
+        return HALF;
     uint32_t lower = fx_table16(kernel->integral + entry);
-    uint32_t rise = fx_table16(kernel->integral + entry + 1u) - lower; /* < 2^11 */
+    uint32_t rise = fx_table16(kernel->integral + entry + 1u) - lower; /* <= 2^10 */
     return (lower << 16) + rise * (part & 0xFFFFu);
 }
 
-/* The integral from the middle to an edge left of a pixel, times the voxel's size: Q1.15 a
-   pixel, below 2^27 in magnitude. */
+/* The integral from the middle to the edge left of a pixel, times the voxel's size: Q1.15 a
+   pixel, at most 2^26 in magnitude. */
 static int32_t edge(const qv_footprint *footprint, int32_t pixel)
 {
     int64_t way = (int64_t)pixel * 65536 - HALF_PIXEL - footprint->centre;
     uint64_t distance = way < 0 ? 0u - (uint64_t)way : (uint64_t)way;
-    uint32_t share = HALF_OF_IT;
+    uint32_t share = HALF;
     if (distance < footprint->half) {
-        /* distance / half: Q27 by Q31, less the shift, to Q22: of a voxel of 4096 pixels, a pixel
-           is still more than 500 */
+        /* distance / half: their product is Q27 by Q31, less the shift; wanted is Q22 */
         uint64_t quotient = fx_wide_product((uint32_t)distance, footprint->reciprocal);
         share = integral(footprint->kernel, (uint32_t)(quotient >> (36u - footprint->shift)));
     }

@@ -6,6 +6,8 @@
 #define MOST_RATIO_BITS 12
 #define MOST_DEPTH_BITS 12
 
+#define MOST_SHIFT 63
+
 /* v * 2^-shift, v not 0, with a factor of 32 bits, cut. */
 static void normalise(qv_thickness *thickness, uint64_t v, unsigned shift)
 {
@@ -44,7 +46,10 @@ static qv_status of_extinction(qv_thickness *thickness, uint32_t extinction, uin
     uint64_t depth = fx_wide_product(extinction, length);
     if (depth == 0 || depth >> (MOST_DEPTH_BITS + 39) != 0)
         return QV_ERROR_EXTINCTION;
-    normalise(thickness, depth + (depth >> 16) + (depth >> 32), 7 + 16); /* below 2^52 */
+    unsigned shift = 7 + 16;
+    for (; depth >> (MOST_DEPTH_BITS + 38) == 0 && shift < MOST_SHIFT; depth <<= 1)
+        shift++;
+    normalise(thickness, depth + (depth >> 16) + (depth >> 32), shift); /* below 2^52 */
     return QV_OK;
 }
 

@@ -1,0 +1,295 @@
+/*
+ * Bearings: which of a voxel's bytes count for light from anywhere, against a model in doubles.
+ */
+#include "bearing.h"
+#include "check.h"
+#include "direction.h"
+#include "random.h"
+
+#include <math.h>
+
+static const uint32_t spacings[][3] = {
+    {0, 0, 0}, {65536, 98304, 131072}, {4096, 16777216, 65536}, {81920, 81920, 20480}};
+/* Cosines where one side of a voxel is 4096 times another. */
+#define TOLERANCE 1e-3
+
+#define SPACINGS (sizeof spacings / sizeof *spacings)
+
+static qv_volume volume_of(const uint32_t spacing[3], uint32_t unit)
+{
+    qv_volume volume = {.storage = QV_STORAGE_RGBA8, .unit_distance = unit};
+    for (unsigned axis = 0; axis < 3; axis++)
+        volume.spacing[axis] = spacing[axis];
+    return volume;
+}
+
+static double side_of(const qv_volume *volume, unsigned axis)
+{
+    return volume->spacing[axis] == 0 ? 1 : volume->spacing[axis] / 65536.;
+}
+
+static double length_of(const qv_volume *volume, const double v[3])
+{
+    double square = 0;
+    for (unsigned axis = 0; axis < 3; axis++)
+        square += v[axis] * v[axis] * side_of(volume, axis) * side_of(volume, axis);
+    return sqrt(square);
+}
+
+/* A vector of the size that bearings take, not along an axis. */
+static void random_vector(int32_t v[3], uint32_t *random)
+{
+    const unsigned longest = random_below(random, 3);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        const uint32_t size = axis == longest
+                                  ? 0x40000000u + (random_next(random) >> 2)
+                                  : random_next(random) >> (2 + random_below(random, 9));
+        v[axis] = random_below(random, 2) == 0 ? (int32_t)size : -(int32_t)size;
+    }
+}
+
+/* Depths, in units of QV_BEARING_ONE, that the model gives to direction d for v. */
+static double model_weight(const qv_volume *volume, const int32_t v[3], uint8_t d, int any_length)
+{
+    int8_t step[3];
+    double way[3], largest = 0, least_on = INFINITY, most_off = 0, own[3];
+    qv_direction_step(step, d);
+    for (unsigned axis = 0; axis < 3; axis++)
+        largest = fmax(largest, fabs((double)v[axis]));
+    for (unsigned axis = 0; axis < 3; axis++) {
+        way[axis] = v[axis] / largest;
+        own[axis] = step[axis];
+        if (step[axis] == 0)
+            most_off = fmax(most_off, fabs(way[axis]));
+        else
+            least_on = fmin(least_on, way[axis] * step[axis]);
+    }
+    const double share = fmax(0, least_on - most_off);
+    return any_length ? share : share * length_of(volume, way) / length_of(volume, own);
+}
+
+static void check_vector(const qv_volume *volume, const int32_t v[3])
+{
+    qv_compass compass;
+    qv_bearing bearing;
+    uint32_t length;
+    double way[3], longest[3] = {1, 1, 1}, largest = 0;
+    qv_compass_of(&compass, volume, QV_DIRECTIONS_ALL, 0);
+    assert_int_equal(qv_bearing_of(&bearing, &length, &compass, v), QV_OK);
+    for (unsigned axis = 0; axis < 3; axis++)
+        largest = fmax(largest, fabs((double)v[axis]));
+    for (unsigned axis = 0; axis < 3; axis++)
+        way[axis] = v[axis] / largest;
+    const double exact = length_of(volume, way) / length_of(volume, longest);
+    assert_true(fabs(length * ldexp(1, -31) / exact - 1) < ldexp(1, -16));
+    for (uint8_t d = 0; d < QV_DIRECTIONS; d++) {
+        double weight = 0;
+        for (unsigned i = 0; i < 3; i++)
+            if (bearing.slot[i] == d)
+                weight += (double)bearing.weight[i] / QV_BEARING_ONE;
+        const double model = model_weight(volume, v, d, volume->unit_distance == 0);
+        assert_true(fabs(weight - model) <= ldexp(3 + model, -17));
+    }
+}
+
+static void shares_between_three(void **state)
+{
+    uint32_t random = 31;
+    (void)state;
+    for (unsigned i = 0; i < 40000; i++) {
+        const qv_volume volume = volume_of(spacings[i % SPACINGS], (i / 7) % 2 * 65536u);
+        int32_t v[3];
+        random_vector(v, &random);
+        check_vector(&volume, v);
+    }
+}
+
+/* Exactly along a direction its byte alone counts, and it is the transmittance. */
+static void along_one_direction(void **state)
+{
+    static const int32_t sizes[] = {0x40000000, 0x7FFFFFFF, 0x51234567};
+    (void)state;
+    for (unsigned s = 0; s < SPACINGS; s++)
+        for (uint8_t d = 0; d < QV_DIRECTIONS; d++) {
+            const qv_volume volume = volume_of(spacings[s], 65536);
+            qv_compass compass;
+            qv_bearing bearing;
+            uint32_t length;
+            int8_t step[3];
+            int32_t v[3];
+            uint8_t bytes[QV_DIRECTIONS] = {0};
+            qv_direction_step(step, d);
+            for (unsigned axis = 0; axis < 3; axis++)
+                v[axis] = step[axis] * sizes[s % 3];
+            qv_compass_of(&compass, &volume, (uint32_t)1 << d, (uint8_t)(s % 2));
+            assert_int_equal(qv_bearing_of(&bearing, &length, &compass, v), QV_OK);
+            assert_true(bearing.one && bearing.slot[0] == 0);
+            for (unsigned byte = 0; byte < 256; byte++) {
+                bytes[0] = (uint8_t)byte;
+                assert_int_equal(qv_bearing_transmittance(&bearing, bytes, 0), byte * 0x01010101u);
+            }
+        }
+}
+
+static void missing_directions_are_refused(void **state)
+{
+    const qv_volume volume = volume_of(spacings[0], 65536);
+    const int32_t v[3] = {0x60000000, -0x40000000, 0x20000000};
+    const uint8_t needed[] = {qv_direction(1, 0, 0), qv_direction(1, -1, 0),
+                              qv_direction(1, -1, 1)};
+    (void)state;
+    for (uint8_t d = 0; d < QV_DIRECTIONS; d++) {
+        qv_compass compass;
+        qv_bearing bearing;
+        uint32_t length;
+        const int missing = d == needed[0] || d == needed[1] || d == needed[2];
+        qv_compass_of(&compass, &volume, QV_DIRECTIONS_ALL & ~((uint32_t)1 << d), 0);
+        assert_int_equal(qv_bearing_of(&bearing, &length, &compass, v),
+                         missing ? QV_ERROR_DIRECTION : QV_OK);
+    }
+}
+
+/* The nearest by angle in world units, of any set; none beyond 60 degrees. */
+static void nearest_directions(void **state)
+{
+    uint32_t random = 32;
+    unsigned refused = 0;
+    (void)state;
+    for (unsigned i = 0; i < 30000; i++) {
+        const qv_volume volume = volume_of(spacings[i % SPACINGS], 65536);
+        const uint32_t set = random_next(&random) & random_next(&random) & QV_DIRECTIONS_ALL;
+        qv_compass compass;
+        qv_bearing bearing;
+        uint32_t length;
+        int32_t v[3];
+        double best = -1, taken = -1;
+        if (set == 0)
+            continue;
+        random_vector(v, &random);
+        qv_compass_of(&compass, &volume, set, 1);
+        const qv_status status = qv_bearing_of(&bearing, &length, &compass, v);
+        for (uint8_t d = 0; d < QV_DIRECTIONS; d++) {
+            int8_t step[3];
+            double dot = 0, way[3], own[3];
+            qv_direction_step(step, d);
+            for (unsigned axis = 0; axis < 3; axis++) {
+                const double side = side_of(&volume, axis);
+                way[axis] = v[axis];
+                own[axis] = step[axis];
+                dot += v[axis] * side * step[axis] * side;
+            }
+            const double cosine = dot / length_of(&volume, way) / length_of(&volume, own);
+            if ((set >> d & 1u) == 0)
+                continue;
+            best = fmax(best, cosine);
+            if (status == QV_OK && qv_direction_slot(set, d) == bearing.slot[0])
+                taken = cosine;
+        }
+        refused += status != QV_OK;
+        if (status == QV_OK)
+            assert_true(taken >= best - TOLERANCE && best > .5 - TOLERANCE);
+        else
+            assert_true(status == QV_ERROR_DIRECTION && best < .5 + TOLERANCE);
+    }
+    assert_true(refused > 100);
+}
+
+/* Between directions depths add up; a byte of 0 counts as a depth of 10, but if all are, nothing
+   passes. Inside, those of the
+   voxel that light is followed to are taken away. */
+static void transmittance_between(void **state)
+{
+    uint32_t random = 33;
+    (void)state;
+    for (unsigned i = 0; i < 40000; i++) {
+        qv_bearing bearing = {{0, 0, 0}, {2, 5, 9}, 0};
+        uint8_t bytes[10], inside[10];
+        double depth = 0;
+        int seen = 0;
+        for (unsigned k = 0; k < 10; k++) {
+            bytes[k] = (uint8_t)(i % 5 == 0 ? i / 5 % 2 : random_next(&random) >> 3);
+            inside[k] = (uint8_t)(random_next(&random) >> 5);
+        }
+        const int within = i % 3 == 0;
+        bearing.one = (uint8_t)(within && i % 2);
+        for (unsigned k = 0; k < 3; k++) {
+            const uint8_t byte = bytes[bearing.slot[k]], other = inside[bearing.slot[k]];
+            bearing.weight[k] = random_below(&random, QV_BEARING_ONE);
+            seen |= byte != 0;
+            double own = byte == 0 ? 10 : -log2(byte / 255.);
+            own -= !within ? 0 : other == 0 ? 10 : -log2(other / 255.);
+            depth += own * bearing.weight[k] / QV_BEARING_ONE;
+        }
+        const double clear =
+            ldexp(qv_bearing_transmittance(&bearing, bytes, within ? inside : 0), -32);
+        assert_true(fabs(clear - (seen ? exp2(-fmax(0, depth)) : 0)) < ldexp(1, -22));
+    }
+}
+
+/* Whatever has a share somewhere between the corners is in reach. */
+static void reach_of_corners(void **state)
+{
+    uint32_t random = 34;
+    unsigned spared = 0;
+    (void)state;
+    for (unsigned i = 0; i < 3000; i++) {
+        int32_t corner[4][3];
+        for (unsigned k = 0; k < 4; k++)
+            random_vector(corner[k], &random);
+        const uint32_t reach = qv_bearing_reach(corner);
+        spared += reach != QV_DIRECTIONS_ALL;
+        for (unsigned k = 0; k < 100; k++) {
+            int64_t sum[3] = {0, 0, 0};
+            int32_t v[3];
+            for (unsigned c = 0; c < 4; c++) {
+                const uint32_t part = random_below(&random, 1000);
+                for (unsigned axis = 0; axis < 3; axis++)
+                    sum[axis] += (int64_t)part * corner[c][axis];
+            }
+            if (sum[0] == 0 && sum[1] == 0 && sum[2] == 0)
+                continue;
+            (void)qv_bearing_scale(v, sum);
+            const qv_volume volume = volume_of(spacings[0], 65536);
+            for (uint8_t d = 0; d < QV_DIRECTIONS; d++)
+                if (model_weight(&volume, v, d, 1) > 1e-8)
+                    assert_true((reach >> d & 1u) != 0);
+        }
+    }
+    assert_true(spared > 300);
+}
+
+static void scaled_vectors(void **state)
+{
+    uint32_t random = 35;
+    (void)state;
+    for (unsigned i = 0; i < 20000; i++) {
+        int64_t v[3];
+        int32_t scaled[3];
+        const unsigned shift = random_below(&random, 62);
+        for (unsigned axis = 0; axis < 3; axis++) {
+            const uint64_t bits = (uint64_t)random_next(&random) << 32 | random_next(&random);
+            v[axis] = (int64_t)(bits >> 2 >> shift) * (random_below(&random, 2) == 0 ? 1 : -1);
+        }
+        if (v[0] == 0 && v[1] == 0 && v[2] == 0)
+            continue;
+        const int halved = qv_bearing_scale(scaled, v);
+        const uint32_t largest = qv_bearing_largest(scaled);
+        assert_true(largest >= 1u << 30 && largest < 1u << 31);
+        for (unsigned axis = 0; axis < 3; axis++)
+            assert_true(fabs(scaled[axis] - ldexp((double)v[axis], -halved)) < 1);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(shares_between_three),
+        cmocka_unit_test(along_one_direction),
+        cmocka_unit_test(missing_directions_are_refused),
+        cmocka_unit_test(nearest_directions),
+        cmocka_unit_test(transmittance_between),
+        cmocka_unit_test(reach_of_corners),
+        cmocka_unit_test(scaled_vectors),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
