@@ -1,9 +1,12 @@
 /*
  * error.c - one line on standard error, then the end.
  */
+#define _POSIX_C_SOURCE 200809L
+
 #include "error.h"
 
 #include <errno.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -30,6 +33,9 @@ void error_set_teller(error_teller *other)
 {
     teller = other;
 }
+
+/* Never unlocked: of threads that find the same error, one tells it. */
+static pthread_mutex_t ending = PTHREAD_MUTEX_INITIALIZER;
 
 /* Names of files and texts of libraries may hold line breaks or control
    characters: one error stays one printable line. */
