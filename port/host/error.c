@@ -24,6 +24,9 @@ static int tell(const char *line, int status)
 static const char *command = "qvol";
 static error_teller *teller = tell;
 
+/* Never unlocked: of threads that find the same error, one tells it. */
+static pthread_mutex_t ending = PTHREAD_MUTEX_INITIALIZER;
+
 void error_set_command(const char *name)
 {
     command = name;
@@ -34,14 +37,12 @@ void error_set_teller(error_teller *other)
     teller = other;
 }
 
-/* Never unlocked: of threads that find the same error, one tells it. */
-static pthread_mutex_t ending = PTHREAD_MUTEX_INITIALIZER;
-
 /* Names of files and texts of libraries may hold line breaks or control
    characters: one error stays one printable line. */
 static void end(char *line, int status) __attribute__((noreturn));
 static void end(char *line, int status)
 {
+    pthread_mutex_lock(&ending);
     for (char *c = line; *c != '\0'; c++) {
         if ((unsigned char)*c < ' ' || *c == 127) {
             *c = '?';
