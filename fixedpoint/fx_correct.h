@@ -37,7 +37,7 @@ fx_unorm16 fx_correct_opacity(fx_unorm16 opacity, uint32_t ratio);
 /*
  * What opacity-weighted colour is to be multiplied by: corrected by stored opacity,
  * from the ratio (at opacity 0) to 1 (at 65535). Q5.27, for ratios of 1/16 .. 16.
- * Error at most .4 * 2^-16 of the result.
+ * Error at most .5 * 2^-16, and at most .4 * 2^-16 of the result.
  */
 uint32_t fx_correct_colour(fx_unorm16 opacity, uint32_t ratio);
 

@@ -1,9 +1,12 @@
 /*
  * error.c - one line on standard error, then the end.
  */
+#define _POSIX_C_SOURCE 200809L
+
 #include "error.h"
 
 #include <errno.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -21,6 +24,9 @@ static int tell(const char *line, int status)
 static const char *command = "qvol";
 static error_teller *teller = tell;
 
+/* Never unlocked: of threads that find the same error, one tells it. */
+static pthread_mutex_t ending = PTHREAD_MUTEX_INITIALIZER;
+
 void error_set_command(const char *name)
 {
     command = name;
@@ -36,11 +42,13 @@ void error_set_teller(error_teller *other)
 static void end(char *line, int status) __attribute__((noreturn));
 static void end(char *line, int status)
 {
+    pthread_mutex_lock(&ending);
     for (char *c = line; *c != '\0'; c++) {
         if ((unsigned char)*c < ' ' || *c == 127) {
             *c = '?';
         }
     }
+    pthread_mutex_lock(&ending);
     exit(teller(line, status));
 }
 

@@ -148,7 +148,7 @@ refuses "standard output" 2 "--output: a file that is mapped" "$QVOL" freevoxel 
 refuses "a device as output" 1 "/dev/null: no regular file" "$QVOL" freevoxel $IN -o /dev/null
 refuses "report and file of one name" 2 "--json" "$QVOL" freevoxel $IN -o refused.fv --json=refused.fv
 refuses "a folder that is not there" 1 "none/b.fv: No such" "$QVOL" freevoxel $IN -o none/b.fv
-for list in "" x +x+x +x, ,+x +w + all,+x "+x +y" +x+y+z+x; do
+for list in "" x +x+x "+x," ,+x +w + all,+x "+x +y" +x+y+z+x; do
     make_refuses "--directions '$list'" "--directions: '$list' is not all" --directions "$list"
 done
 make_refuses "an unknown order" "--order: .*linear, morton, hilbert" --order peano

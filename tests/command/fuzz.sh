@@ -21,7 +21,11 @@ for command in "info $IN" "render $IN -o a.pam --shade --mask $IN --mask-tf fog 
     "pyramid $IN -o a.bin --storage rgba8 --json" "classify $IN -o a.h --dither-table colour --json=a.json" \
     "render $IN -o a.raw --compositing slices --slices 30 --bricks 2x3x1 --chunk 3 --dither feedback --json=a.json" \
     "render $IN -o a.raw --compositing slices --perspective 90 --framebuffer 16 --order front-to-back" \
-    "render a.bin --dims 12x10x8 --type rgba8 --level 1.5 --sampling bspline-extinction -o a.raw"; do
+    "render a.bin --dims 12x10x8 --type rgba8 --level 1.5 --sampling bspline-extinction -o a.raw" \
+    "render $IN -o a.raw --light 10,20,ff8000 --light 0,90,ffffff --storage indexed8 --json=a.json" \
+    "freevoxel $IN -o a.fv --tf surface --order hilbert --json=a.json" "info a.fv" "info a.fv --json=a.json" \
+    "splat a.fv -o a.raw --levels --perspective 60 --zoom 3 --light 10,20,ff8000 --threads 3 --json=a.json" \
+    "splat a.fv -o a.pam --kernel quadratic --part 2/3 --nearest" "splat a.fv -o a.pam --splatting over --level 1"; do
     # shellcheck disable=SC2086
     check "no leak: $command" "$program" $command
 done
@@ -31,6 +35,7 @@ import os
 import random
 import subprocess
 import sys
+from freevoxel_file import with_checksum
 from volumes import *
 
 program, count = sys.argv[1], int(sys.argv[2])
@@ -76,6 +81,20 @@ seeds += [
 if png:
     seeds.append(("j.png", png, len(png), ["compare", "j.png", "j.png"]))
 write("plain_12x10x8_uint8.raw", packed(values))
+
+def freevoxels(*options):
+    """A FreeVoxel file of the plain volume."""
+    subprocess.run([program, "freevoxel", "plain_12x10x8_uint8.raw", "-o", "good.fv", "--tf", "surface", *options], check=True)
+    return open("good.fv", "rb").read()
+
+SPLAT = ["-o", "o.raw", "--size", "8x8"]
+narrow, broad = freevoxels(), freevoxels("--storage", "rgbt16", "--order", "hilbert", "--directions", "faces")
+seeds += [
+    ("n.fv", narrow, 280, ["splat", "n.fv", "--levels", "--azimuth", "30", "--light", "70,30,ff8040"] + SPLAT),
+    ("o.fv", broad, 280, ["splat", "o.fv", "--perspective", "60", "--zoom", "4", "--nearest"] + SPLAT),
+    ("p.fv", broad, len(broad), ["splat", "p.fv", "--splatting", "over", "--light", "0,90,ffffff"] + SPLAT),
+    ("q.fv", narrow, 280, ["info", "q.fv"]),
+]
 NUMBERS = [b"0", b"-1", b"1e999", b"nan", b"4294967296", b"99999999999999999999", b"%n%s", b"", b"\0"]
 
 def mutate(data, head, chance):
@@ -130,6 +149,32 @@ SLICES = {
     "--order": ("front-to-back", "back-to-front"),
 }
 
+FREEVOXELS = {
+    "--directions": ("all", "faces", "+x", "-x-y,+z,+x+y+z"),
+    "--order": ("linear", "morton", "hilbert"),
+    "--levels": ("0", "1", "4", "5"),
+    "--hierarchy": ("geometric", "rebuilt"),
+    "--storage": OPTIONS["--storage"],
+    "--extinction": OPTIONS["--extinction"],
+    "--unit-distance": OPTIONS["--unit-distance"],
+    "--spacing": OPTIONS["--spacing"],
+    "--filter": OPTIONS["--filter"],
+}
+
+SPLATS = {
+    "--splatting": ("added", "over"),
+    "--kernel": ("linear", "quadratic"),
+    "--level": ("0", "1", "4", "12"),
+    "--detail": ("0.00390625", "3", "255.99"),
+    "--part": ("1/1", "2/3", "4294967295/4294967295"),
+    "--light": ("0,0,ffffff", "37,-80,0080ff"),
+    "--ambient": ("000000", "ffffff"),
+    "--azimuth": ("0", "45", "77"),
+    "--elevation": ("0", "90", "35.26439"),
+    "--perspective": OPTIONS["--perspective"],
+    "--zoom": OPTIONS["--zoom"],
+}
+
 def drawn_from(chance, values):
     """A few options that are fine one by one."""
     names = chance.sample(sorted(values), chance.randrange(1, 5))
@@ -163,6 +208,8 @@ for number in range(count):
         bad = gzip.compress(bad)
         if number % 3 == 0 and number >= len(seeds):
             bad = mutate(bad, len(bad), chance)
+    if name.endswith(".fv") and number % 4:
+        bad = with_checksum(bad)
     write(name, bad)
     is_bad, is_accepted = is_wrong(f"{number} of {name}", command)
     wrong += is_bad
@@ -176,8 +223,16 @@ for number in range(count // 4):
     is_bad, is_drawn = is_wrong(" ".join(command), command)
     wrong += is_bad
     drawn += is_drawn
-print(f"# {count // 4} sets of options, {drawn} drawn")
-wrong += drawn < count // 40
+for number in range(count // 4):
+    chance = random.Random(f"freevoxels {number}")
+    make = ["freevoxel", "plain_12x10x8_uint8.raw", "-o", "drawn.fv", "--tf", "surface"] + drawn_from(chance, FREEVOXELS)
+    show = ["splat", "drawn.fv", "-o", "o.raw", "--size", "9x8"] + drawn_from(chance, SPLATS) + chance.choice(([], ["--nearest"], ["--levels"]))
+    for command in (make, show):
+        is_bad, is_drawn = is_wrong(" ".join(command), command)
+        wrong += is_bad
+        drawn += is_drawn
+print(f"# {3 * (count // 4)} sets of options, {drawn} drawn")
+wrong += drawn < count // 8
 print(f"# {count} mutations, {accepted} accepted, {wrong} wrong")
 sys.exit(wrong > 0 or accepted < len(seeds) or accepted > count // 2)
 END
@@ -186,5 +241,5 @@ status=$?
 grep '^# [0-9]' report
 grep '^# mutation' report >&2
 [ -z "${KEEP_WRONG:-}" ] || cp wrong-* "$KEEP_WRONG" 2>/dev/null
-outcome $status "$MUTATIONS mutated files, a quarter as many sets of options: no crash, no hang, one line"
+outcome $status "$MUTATIONS mutated files, three quarters as many sets of options: no crash, no hang, one line"
 finish

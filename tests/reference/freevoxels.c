@@ -142,8 +142,7 @@ void ref_bytes_free(ref_bytes *made)
 
 /* ---- Depth from bytes --------------------------------------------------------- */
 
-/* Of one direction alone: the light is the byte's own. */
-static double own_depth(uint8_t byte)
+static double byte_depth(uint8_t byte)
 {
     return byte == 0 ? HUGE_VAL : -log2(byte / 255.0);
 }
@@ -164,12 +163,22 @@ static double interpolate(const qv_volume *volume, const ref_surrounding *around
         ref_direction_step(step, around->direction[i]);
         const double along[3] = {step[0], step[1], step[2]};
         const double length = is_by_step(volume) ? 1 : ref_step_length(volume, along);
-        if (around->weight[i] == 1) {
-            return depth[i];
-        }
-        sum += around->weight[i] * depth[i] / length;
+        sum += around->weight[i] > 0 ? around->weight[i] * depth[i] / length : 0;
     }
     return is_by_step(volume) ? sum : sum * ref_step_length(volume, v);
+}
+
+/* Of directions with a share, a byte of 0 counts as dark beside others; alone, all is dark. */
+static void depths_around(double depth[3], const ref_surrounding *around, const uint8_t *bytes)
+{
+    bool dark = true;
+    for (int i = 0; i < 3; i++) {
+        dark = dark && (around->weight[i] == 0 || bytes[around->direction[i]] == 0);
+    }
+    for (int i = 0; i < 3; i++) {
+        const double own = byte_depth(bytes[around->direction[i]]);
+        depth[i] = dark ? HUGE_VAL : fmin(own, REF_DARK_DEPTH);
+    }
 }
 
 double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const double v[3])
@@ -180,13 +189,10 @@ double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const 
     ref_surrounding around;
     double depth[3];
     if (bytes->nearest) {
-        return own_depth(of[ref_nearest_direction(volume, bytes->directions, v)]);
+        return byte_depth(of[ref_nearest_direction(volume, bytes->directions, v)]);
     }
     ref_surround(&around, v);
-    for (int i = 0; i < 3; i++) {
-        const double own = own_depth(of[around.direction[i]]);
-        depth[i] = around.weight[i] < 1 ? fmin(own, REF_DARK_DEPTH) : own;
-    }
+    depths_around(depth, &around, of);
     return interpolate(volume, &around, depth, v);
 }
 

@@ -157,15 +157,14 @@ static bool in_sight(const ref_splats *splats, const ref_footprint *footprint, i
 
 /* ---- Light ---------------------------------------------------------------------- */
 
-/* To the outside, or to the eye's voxel if the eye has one: there, all counts. */
+/* To the outside, or to the eye's voxel if the eye has one. */
 static double transmittance(const ref_splats *splats, const double v[3], int level,
                             const int32_t at[3])
 {
     const ref_depths *depths = &splats->depths;
     double depth = depths->along(depths->in, level, at, v);
     if (splats->inside) {
-        const double counted = isinf(depth) ? REF_DARK_DEPTH : depth;
-        depth = counted - depths->along(depths->in, 0, splats->eye, v);
+        depth -= depths->along(depths->in, 0, splats->eye, v);
     }
     return exp2(-fmax(depth, 0));
 }
