@@ -1,6 +1,8 @@
 #include "access.h"
 #include "attenuation.h"
+#include "block.h"
 #include "fx_wide.h"
+#include "overlap.h"
 #include "splat.h"
 #include "storage.h"
 
@@ -77,22 +79,23 @@ static qv_status check_attenuation(const qv_splats *splats, const qv_volume *lev
     return qv_attenuation_check(attenuation, attenuation->bytes);
 }
 
-static qv_status check_block(const qv_block *block, const uint16_t size[3])
+/* Whether sums are also what they would be made of. */
+static int overlaps(const qv_sums *sums, const qv_volume *level, const qv_attenuation *attenuation)
 {
-    for (unsigned axis = 0; axis < 3; axis++)
-        if (block->first[axis] >= block->end[axis] || block->end[axis] > size[axis])
-            return QV_ERROR_SIZE;
-    return QV_OK;
+    uint64_t width = (uint64_t)(sums->rect.right - sums->rect.left);
+    uint64_t bytes = width * (uint32_t)(sums->rect.bottom - sums->rect.top); /* < 2^32 */
+    uintptr_t distance;
+    bytes *= QV_SUM_CHANNELS * sizeof(uint32_t);
+    if (attenuation && qv_distance(&distance, sums->sums, attenuation->records) &&
+        qv_regions_meet(distance, bytes, attenuation->bytes))
+        return 1;
+    return qv_voxels_meet(level, sums->sums, bytes) || qv_palette_meets(level, sums->sums, bytes);
 }
 
 static void put_voxel(const qv_sums *sums, const qv_splats *splats, const qv_volume *level,
                       const qv_attenuation *attenuation, qv_freevoxel *voxel)
 {
-    voxel->voxel = level->voxels;
-    for (unsigned axis = 0; axis < 3; axis++)
-        if (voxel->position[axis] != 0)
-            voxel->voxel = qv_at(voxel->voxel,
-                                 (qv_offset)level->stride[axis] * (qv_offset)voxel->position[axis]);
+    voxel->voxel = qv_voxel_at(level, voxel->position);
     if (attenuation) {
         uint64_t index =
             qv_attenuation_order(attenuation)->index(attenuation->size, voxel->position);
@@ -112,10 +115,12 @@ qv_status qv_splat_block(const qv_sums *sums, const qv_splats *splats, const qv_
         status = check_level(splats, level, number);
     if (status == QV_OK)
         status = check_attenuation(splats, level, attenuation);
-    if (status == QV_OK)
-        status = check_block(block, level->size);
     if (status != QV_OK)
         return status;
+    if (!qv_block_valid(block, level->size))
+        return QV_ERROR_SIZE;
+    if (overlaps(sums, level, attenuation))
+        return QV_ERROR_OVERLAP;
     path way[3];
     uint32_t steps[3];
     for (unsigned axis = 0; axis < 3; axis++) {

@@ -316,6 +316,10 @@ static void blocks(void **state)
     expect_block(&splat_all, 0, QV_ERROR_ATTENUATION);
     f.attenuation.records = NULL;
     expect_block(&splat_all, 0, QV_ERROR_NULL);
+    f.volume.voxels = (const uint8_t *)f.sums + sizeof f.sums - 1;
+    expect_block(&splat_all, 0, QV_ERROR_OVERLAP);
+    f.attenuation.records = (const uint8_t *)f.sums;
+    expect_block(&splat_all, 0, QV_ERROR_OVERLAP);
 }
 
 static int no_voxel(void *user, qv_freevoxel *voxel)
