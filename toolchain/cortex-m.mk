@@ -18,5 +18,5 @@ TARGET_LDFLAGS := $(TARGET_CPU) -nostdlib -Wl,--gc-sections -Ltoolchain \
 TARGET_LDLIBS := -lgcc
 TARGET_SCRIPTS := toolchain/$(TARGET_BOARD).ld toolchain/cortex-m.ld
 
-TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices bench functions blends \
-	size_orthographic size_perspective
+TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices golden_splats bench \
+	functions blends size_orthographic size_perspective

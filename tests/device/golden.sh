@@ -24,7 +24,7 @@ run() {
 }
 
 for optimise in -Os -O3; do
-    for set in steps lengths bsplines slices; do
+    for set in steps lengths bsplines slices splats; do
         run cortex-m0 microbit $optimise $set
         run cortex-m3 lm3s6965evb $optimise $set
     done

@@ -30,13 +30,19 @@ const qv_format *golden_find_format(const golden_scene *golden)
     return table[golden->format];
 }
 
+void golden_view(qv_view *view, const golden_scene *golden)
+{
+    view->pitch = golden->pitch;
+    view->step = golden->step;
+    view->width = golden->width;
+    view->height = golden->height;
+    qv_rotation(view->rotation, golden->azimuth, golden->elevation, golden->roll);
+}
+
 static qv_status point_camera(qv_scene *scene, const golden_scene *golden)
 {
-    qv_view view = {.pitch = golden->pitch,
-                    .step = golden->step,
-                    .width = golden->width,
-                    .height = golden->height};
-    qv_rotation(view.rotation, golden->azimuth, golden->elevation, golden->roll);
+    qv_view view;
+    golden_view(&view, golden);
     if (golden->field_of_view == 0)
         return qv_orthographic(&scene->camera, &scene->volume, &view);
     return qv_perspective(&scene->camera, &scene->volume, &view, golden->field_of_view);
@@ -115,62 +121,81 @@ static void cut(qv_image *image, qv_rect *rect, const picture *p, const golden_s
         rect->bottom = golden->rect.top + end * p->lines_per_row;
 }
 
-static qv_status render_strips(const picture *p, const qv_context *context,
-                               const golden_scene *golden, int32_t height)
+static qv_status draw_strips(const picture *p, const golden_scene *golden, int32_t height,
+                             golden_part *draw, void *user)
 {
     qv_status status = QV_OK;
     for (int32_t row = 0; row < p->rows && status == QV_OK; row += height) {
         qv_image image;
         qv_rect rect;
         cut(&image, &rect, p, golden, row, row + height);
-        status = qv_render(&image, context, &rect);
+        status = draw(user, &image, &rect);
     }
     return status;
 }
 
-static qv_status render_pieces(const picture *p, const qv_context *context,
-                               const golden_scene *golden)
+qv_status golden_draw_parts(golden_memory *memory, const golden_scene *golden, int32_t height,
+                            golden_part *draw, void *user)
 {
+    picture p;
+    qv_status status = place_picture(&p, memory, golden);
+    return status == QV_OK ? draw_strips(&p, golden, height == 0 ? p.rows : height, draw, user)
+                           : status;
+}
+
+static qv_status draw_rays(void *context, const qv_image *image, const qv_rect *rect)
+{
+    return qv_render(image, context, rect);
+}
+
+static qv_status draw_pieces(golden_memory *memory, const qv_context *context,
+                             const golden_scene *golden)
+{
+    picture p;
     qv_image image;
     qv_rect rect;
     qv_progress progress = {0};
-    qv_status status;
-    cut(&image, &rect, p, golden, 0, p->rows);
+    qv_status status = place_picture(&p, memory, golden);
+    if (status != QV_OK)
+        return status;
+    cut(&image, &rect, &p, golden, 0, p.rows);
     do {
         status = qv_render_some(&image, &progress, context, &rect, golden->piece);
     } while (status == QV_MORE);
     return status;
 }
 
-static qv_status render_way(const picture *p, const qv_context *context, const golden_scene *golden,
+static qv_status render_way(golden_memory *memory, qv_context *context, const golden_scene *golden,
                             golden_way way)
 {
     switch (way) {
     case GOLDEN_STRIPS:
-        return render_strips(p, context, golden, golden->strip);
+        return golden_draw_parts(memory, golden, golden->strip, draw_rays, context);
     case GOLDEN_ROWS:
-        return render_strips(p, context, golden, 1);
+        return golden_draw_parts(memory, golden, 1, draw_rays, context);
     case GOLDEN_PIECES:
-        return render_pieces(p, context, golden);
+        return draw_pieces(memory, context, golden);
     default:
-        return render_strips(p, context, golden, p->rows);
+        return golden_draw_parts(memory, golden, 0, draw_rays, context);
     }
+}
+
+qv_status golden_render_scene(uint32_t *checksum, golden_memory *memory, const golden_scene *golden,
+                              const qv_scene *scene, golden_way way)
+{
+    qv_context context;
+    qv_status status = qv_init(&context, scene);
+    if (status == QV_OK)
+        status = render_way(memory, &context, golden, way);
+    if (status == QV_OK)
+        *checksum = golden_checksum(memory);
+    return status;
 }
 
 qv_status golden_render_rays(uint32_t *checksum, golden_memory *memory, const golden_scene *golden,
                              golden_way way)
 {
     qv_scene scene;
-    qv_context context;
-    picture p;
     qv_status status = golden_make(&scene, memory, golden);
-    if (status == QV_OK)
-        status = qv_init(&context, &scene);
-    if (status == QV_OK)
-        status = place_picture(&p, memory, golden);
-    if (status == QV_OK)
-        status = render_way(&p, &context, golden, way);
-    if (status == QV_OK)
-        *checksum = golden_checksum(memory);
-    return status;
+    return status == QV_OK ? golden_render_scene(checksum, memory, golden, &scene, way) : status;
 }

@@ -229,6 +229,8 @@ void golden_describe(golden_scene *golden, const golden_set *set, uint32_t numbe
                              .format = (golden_format)(number % GOLDEN_FORMATS)};
     if (set->blends)
         golden->slices.blend = &set->blends->blend[place % set->blends->count];
+    if (set->splats)
+        golden->splats.how = &set->splats->splat[place % set->splats->count];
     draw_volume(golden, &state);
     draw_view(golden, &state);
     draw_rect(golden, &state);
@@ -237,6 +239,8 @@ void golden_describe(golden_scene *golden, const golden_set *set, uint32_t numbe
         draw_lengths(golden, &state);
     if (set->blends)
         draw_slices(golden, set->blends, &state);
+    if (set->draw)
+        set->draw(golden, set, place % set->mode_count, &state);
     golden->seed = state;
 }
 
@@ -255,9 +259,12 @@ void golden_name(const char *word[GOLDEN_WORDS], const golden_scene *golden)
         "rgba8888", "bgra8888", "rgb888",          "rgb565_le",     "rgb565_be",
         "l8",       "grey4",    "mono_horizontal", "mono_vertical",
     };
-    word[0] = families[golden->mode->family];
+    const golden_splat *splat = golden->splats.how;
+    word[0] = splat ? "freevoxels" : families[golden->mode->family];
     word[1] = storages[golden->mode->sampling->storage - QV_STORAGE_RGBA8];
-    word[2] = by_slices(golden) ? golden->slices.blend->name : orders[golden->mode->order];
+    word[2] = splat               ? splat->name
+              : by_slices(golden) ? golden->slices.blend->name
+                                  : orders[golden->mode->order];
     word[3] = golden->field_of_view == 0 ? "orthographic" : "perspective";
     word[4] = formats[golden->format];
 }

@@ -4,9 +4,10 @@
  *
  * The scenes cover every sampling mode, and every pixel format, both projections,
  * odd sizes, strides, spacings, steps, phases, backgrounds and terminations at
- * least once; those by slices every blend, sequence and technique. A scene takes less
- * than 13 KB with all its data, so that it runs where RAM is 16 KB. Scenes come in sets,
- * since the code of all modes is more than some devices' flash holds.
+ * least once; those by slices every blend, sequence and technique; those of FreeVoxels both
+ * splattings and kernels, lit voxels, every order and storage, levels, eyes inside. A scene
+ * takes less than 14 KB with all its data, so that it runs where RAM is 16 KB. Scenes come in
+ * sets, since the code of all modes is more than some devices' flash holds.
  */
 #ifndef GOLDEN_SCENES_H
 #define GOLDEN_SCENES_H
@@ -58,7 +59,23 @@ typedef struct golden_blends {
     const qv_technique *const *technique;
 } golden_blends;
 
-/* The ways to render one picture; all give the same bytes. */
+/* What is made of voxels that have bytes of attenuation. */
+typedef struct golden_splat {
+    const char *name;
+    const qv_splatting *splatting; /* null: voxels are lit, and seen by rays */
+    const qv_kernel *kernel;
+} golden_splat;
+
+enum { GOLDEN_ORDERS = 3 };
+
+typedef struct golden_splats {
+    const golden_splat *splat;
+    uint32_t count;
+    const qv_order *const *order;
+} golden_splats;
+
+/* The ways to render one picture; all give the same bytes. Of FreeVoxels pieces are parts of
+   the voxels, and voxels come in another order each time. */
 typedef enum golden_way { GOLDEN_WHOLE, GOLDEN_STRIPS, GOLDEN_ROWS, GOLDEN_PIECES } golden_way;
 
 enum { GOLDEN_WAYS = 4 };
@@ -73,29 +90,41 @@ struct golden_scene;
 typedef qv_status golden_render(uint32_t *checksum, struct golden_memory *memory,
                                 const struct golden_scene *golden, golden_way way);
 
-/* Ray by ray, and slice by slice. */
-golden_render golden_render_rays, golden_render_slices;
+/* Ray by ray, slice by slice, and of FreeVoxels. */
+golden_render golden_render_rays, golden_render_slices, golden_render_splats;
+
+struct golden_set;
+
+/* Draws what a scene of a set has beside the rest, for the mode with this number. */
+typedef void golden_draw(struct golden_scene *golden, const struct golden_set *set, uint32_t mode,
+                         uint32_t *state);
 
 /* Scenes whose modes one program of a device can hold: they take them in turn, and blends
-   too. */
+   or splats too. */
 typedef struct golden_set {
     golden_render *render;
     const golden_mode *modes;
     uint32_t mode_count;
-    const golden_blends *blends; /* null: ray by ray */
+    const golden_blends *blends; /* null: not by slices */
+    const golden_splats *splats; /* null: not of FreeVoxels */
+    golden_draw *draw;           /* null: nothing */
     uint32_t first, end;         /* numbers of its scenes */
 } golden_set;
+
+golden_draw golden_draw_splats;
 
 enum {
     GOLDEN_FIRST_LENGTHS = 48,
     GOLDEN_FIRST_BSPLINES = 120,
     GOLDEN_FIRST_SLICES = 192,
-    GOLDEN_SCENES = 252
+    GOLDEN_FIRST_SPLATS = 252,
+    GOLDEN_SCENES = 288
 };
 
-/* Modes that know no lengths, trilinear ones that weigh by length, B-splines, and some of
-   each by slices. */
-extern const golden_set golden_steps, golden_lengths, golden_bsplines, golden_slices;
+/* Modes that know no lengths, trilinear ones that weigh by length, B-splines, some of
+   each by slices, and FreeVoxels. */
+extern const golden_set golden_steps, golden_lengths, golden_bsplines, golden_slices,
+    golden_freevoxels;
 
 typedef enum golden_format {
     GOLDEN_RGBA8888,
@@ -137,6 +166,21 @@ typedef struct golden_slicing {
     qv_dither dither;
 } golden_slicing;
 
+/* What a scene of FreeVoxels has beside the rest. */
+typedef struct golden_splatting {
+    const golden_splat *how;     /* null: not of FreeVoxels */
+    const golden_mode *lit_mode; /* which samples the volume once it is lit */
+    const qv_order *order;
+    uint32_t directions; /* a set; 0: as few as the scene needs */
+    uint8_t gap;         /* bytes between the records of voxels */
+    bool nearest;        /* direction, rather than between three */
+    bool rebuilt;        /* bytes of levels are made of the levels' own voxels */
+    uint8_t level, coarsest;
+    uint16_t detail;
+    uint8_t parts; /* of the voxels, where they are divided */
+    qv_lighting lighting;
+} golden_splatting;
+
 typedef struct golden_scene {
     uint32_t seed;
     golden_render *render;
@@ -167,6 +211,7 @@ typedef struct golden_scene {
     uint16_t piece;  /* pixels in a piece; by slices, columns */
 
     golden_slicing slices;
+    golden_splatting splats;
 } golden_scene;
 
 /* Makes a scene of a set. */
@@ -178,12 +223,16 @@ void golden_name(const char *word[GOLDEN_WORDS], const golden_scene *golden);
 
 enum { GOLDEN_VOXEL_BYTES = 5120, GOLDEN_SCALARS = 512, GOLDEN_PIXEL_BYTES = 2560 };
 
+/* Most pixels of a picture of splats, and the sums that they take: of all, and of a part. */
+enum { GOLDEN_SPLAT_PIXELS = 42, GOLDEN_SUMS = GOLDEN_SPLAT_PIXELS * QV_SUM_CHANNELS };
+
 /* All that a scene's data needs. */
 typedef struct golden_memory {
     qv_transfer table;
     uint8_t palette[QV_PALETTE_ENTRIES][4];
-    uint16_t scalars[GOLDEN_SCALARS]; /* once they are classified, the coarser levels */
-    uint16_t voxels[GOLDEN_VOXEL_BYTES / 2];
+    uint16_t scalars[GOLDEN_SCALARS];        /* once they are classified, the coarser levels */
+    uint16_t voxels[GOLDEN_VOXEL_BYTES / 2]; /* then lit ones, and bytes of attenuation */
+    uint32_t sums[2][GOLDEN_SUMS];           /* before the first splat, of blocks */
     uint8_t pixels[GOLDEN_PIXEL_BYTES];
     qv_pyramid pyramid;
 } golden_memory;
@@ -198,6 +247,20 @@ qv_status golden_pyramid(golden_memory *memory, const qv_volume *volume,
 
 /* Both, and the scene that sees them. */
 qv_status golden_make(qv_scene *scene, golden_memory *memory, const golden_scene *golden);
+
+/* What a scene's camera sees. */
+void golden_view(qv_view *view, const golden_scene *golden);
+
+/* Draws a rectangle of the picture. */
+typedef qv_status golden_part(void *user, const qv_image *image, const qv_rect *rect);
+
+/* Draws the picture in parts of so many rows of bytes; 0: as one. */
+qv_status golden_draw_parts(golden_memory *memory, const golden_scene *golden, int32_t height,
+                            golden_part *draw, void *user);
+
+/* Renders a scene that is ready, ray by ray; then as golden_render. */
+qv_status golden_render_scene(uint32_t *checksum, golden_memory *memory, const golden_scene *golden,
+                              const qv_scene *scene, golden_way way);
 
 /* Fills memory->pixels with what no picture is likely to leave, and its checksum. */
 void golden_untouch(golden_memory *memory);

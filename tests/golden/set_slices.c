@@ -58,4 +58,4 @@ const golden_set golden_slices = {.render = golden_render_slices,
                                   .mode_count = COUNT(modes),
                                   .blends = &of_slices,
                                   .first = GOLDEN_FIRST_SLICES,
-                                  .end = GOLDEN_SCENES};
+                                  .end = GOLDEN_FIRST_SPLATS};
