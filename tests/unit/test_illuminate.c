@@ -435,6 +435,27 @@ static void overlaps_are_refused(void **state)
     expect_overlap(s.palette, 4, &voxel, 1);
     expect_overlap(voxels, 4, &voxel, 1);
     expect_overlap(voxels + VOXELS, 4, &voxel, 0);
+    lighting.count = 0; /* the bytes are not read */
+    expect_overlap(bytes[VOXELS - 1], 4, &voxel, 0);
+}
+
+/* Which stride an axis of one voxel has does not matter; but one byte is not 4. */
+static void overlaps_of_few_voxels(void **state)
+{
+    static const qv_block row = {{0, 0, 0}, {7, 1, 1}}, one = {{0, 0, 0}, {1, 1, 1}};
+    uint32_t seed = 12;
+    (void)state;
+    three_lamps(QV_STORAGE_RGBA8, &seed);
+    lighting.count = 0;
+    s.volume.size[1] = s.volume.size[2] = 1;
+    s.volume.stride[1] = 3;
+    expect_overlap(s.voxels, sizeof s.voxels, &row, 0);
+    s.volume.stride[0] = 8;
+    expect_overlap(s.voxels, sizeof s.voxels, &row, 1);
+    three_lamps(QV_STORAGE_INDEXED8, &seed);
+    lighting.count = 0;
+    s.volume.size[0] = s.volume.size[1] = s.volume.size[2] = 1;
+    expect_overlap(s.voxels, sizeof s.voxels, &one, 1);
 }
 
 int main(void)
@@ -453,6 +474,7 @@ int main(void)
         cmocka_unit_test(bad_lamps_are_refused),
         cmocka_unit_test(bad_attenuation_is_refused),
         cmocka_unit_test(overlaps_are_refused),
+        cmocka_unit_test(overlaps_of_few_voxels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
