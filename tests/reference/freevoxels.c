@@ -181,6 +181,16 @@ static void depths_around(double depth[3], const ref_surrounding *around, const 
     }
 }
 
+/* The mean of the bytes, by their shares. */
+static double depth_of_mean(const ref_surrounding *around, const uint8_t *bytes)
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        sum += around->weight[i] * bytes[around->direction[i]];
+    }
+    return sum > 0 ? -log2(sum / 255) : HUGE_VAL;
+}
+
 double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const double v[3])
 {
     const ref_bytes *bytes = in;
@@ -188,10 +198,13 @@ double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const 
     const uint8_t *of = byte_at(bytes, level, at);
     ref_surrounding around;
     double depth[3];
-    if (bytes->nearest) {
+    if (bytes->light == REF_LIGHT_NEAREST) {
         return byte_depth(of[ref_nearest_direction(volume, bytes->directions, v)]);
     }
     ref_surround(&around, v);
+    if (bytes->light == REF_LIGHT_BYTES) {
+        return depth_of_mean(&around, of);
+    }
     depths_around(depth, &around, of);
     return interpolate(volume, &around, depth, v);
 }

@@ -36,16 +36,20 @@ int ref_nearest_direction(const qv_volume *volume, uint32_t directions, const do
 
 #define REF_LEVELS 13 /* 0 .. 12 */
 
+/* How light is told from bytes: by the one of the nearest direction of a set; from depths between
+   three of all 26, as the library does; from the bytes of those three themselves. */
+typedef enum ref_light { REF_LIGHT_DEPTHS, REF_LIGHT_NEAREST, REF_LIGHT_BYTES } ref_light;
+
 /* All 26 bytes of the voxels of each level, x fastest. */
 typedef struct ref_bytes {
     const qv_volume *volume; /* level 0 */
     uint8_t (*level[REF_LEVELS])[QV_DIRECTIONS];
-    bool nearest;        /* of the set, rather than between three of all 26 */
+    ref_light light;
     uint32_t directions; /* the set */
 } ref_bytes;
 
-/* Makes the bytes of level 0 up to `coarsest`, each rounded from its exact value; of the
-   directions between three. False without memory. */
+/* Makes the bytes of level 0 up to `coarsest`, each rounded from its exact value, for
+   REF_LIGHT_DEPTHS. False without memory. */
 bool ref_bytes_make(ref_bytes *made, const qv_volume *volume, int coarsest);
 void ref_bytes_free(ref_bytes *made);
 
