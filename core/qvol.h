@@ -1143,18 +1143,19 @@ qv_address qv_attenuation_at(const qv_attenuation *attenuation, const uint16_t p
  * opacity holds for a step of any direction, as published. Takes time in proportion to the voxels.
  *
  * `to` and `bytes` are the memory that attenuation describes, whose own address and length are
- * not read; bytes of other directions stay. blocks: null, or memory for the sums that coarser levels
- * are made of, one for each block of 2 x 2 x 2 voxels, ceil(size / 2) on an axis, x fastest, which
- * this direction overwrites.
+ * not read; bytes of other directions stay. blocks: null, or memory for the sums that coarser
+ * levels are made of, one for each block of 2 x 2 x 2 voxels, ceil(size / 2) on an axis, x fastest,
+ * which this direction overwrites.
  *
- * Depths add up in 64 bits, unrounded; each byte is rounded once, to nearest, and within .51 of exact
- * for up to 1000 voxels in a line (.55 for 4096).
- * The domain must be that of the volume's fourth channel: qv_domain_extinction for opacity,
- * qv_domain_stored for extinction. Works in some 300 bytes on the stack.
- * Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check, _STORAGE (domain), _UNIT
- * (a step outside 2^-12 .. 2^12 unit distances), _EXTINCTION (a step's depth 0, or 2^12 or more, at the full
- * value), _DIRECTION (not in the set, or a set that is empty or has unknown bits), _SIZE (not the volume's), _ATTENUATION (record
- * too short, or memory too small), _OVERLAP (the memory is also the volume's or that of blocks).
+ * Depths add up in 64 bits, unrounded; each byte is rounded once, to nearest, and within .51 of
+ * exact for up to 1000 voxels in a line (.55 for 4096). The domain must be that of the volume's
+ * fourth channel: qv_domain_extinction for opacity, qv_domain_stored for extinction. Works in some
+ * 300 bytes on the stack.
+ * Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check, _STORAGE (domain), _UNIT (a step
+ * outside 2^-12 .. 2^12 unit distances), _EXTINCTION (a step's depth 0, or 2^12 or more, at the
+ * full value), _DIRECTION (not in the set, or a set that is empty or has unknown bits), _SIZE (not
+ * the volume's), _ATTENUATION (record too short, or memory too small), _OVERLAP (the memory is also
+ * the volume's or that of blocks).
  */
 qv_status qv_attenuate(void *to, size_t bytes, uint32_t *blocks, const qv_attenuation *attenuation,
                        const qv_volume *volume, const qv_domain *domain, uint8_t direction);
@@ -1162,11 +1163,16 @@ qv_status qv_attenuate(void *to, size_t bytes, uint32_t *blocks, const qv_attenu
 /*
  * The hierarchy (section 3.2, equation 7): for one direction, the bytes of level 1, 2 .. 12, from
  * the sums that qv_attenuate has left in `blocks` for a volume of `size`: of each block the
- * geometric mean of its voxels' transmittance, which is the mean of their depths. No depth counts as more than
- * 64: so a voxel behind something opaque has a transmittance of 2^-64, and one of eight takes
- * 2^-8 from its block. Every level is made of the voxels' depths, not of rounded bytes: within .51.
- * attenuation is that of the level. Returns QV_OK or QV_ERROR_NULL, _DIRECTION, _LEVEL (0, or more than the size has),
- * _SIZE (attenuation->size is not the level's), _ATTENUATION, _OVERLAP.
+ * geometric mean of its voxels' transmittance, which is the mean of their depths. No depth counts
+ * as more than 64: so a voxel behind something opaque has a transmittance of 2^-64, and one of
+ * eight leaves 2^-8 of its block's. Every level is made of the voxels' depths, not of rounded
+ * bytes: within .51. attenuation is that of the level. Returns QV_OK or QV_ERROR_NULL, _DIRECTION,
+ * _LEVEL (0, or more than the size has), _SIZE (attenuation->size is not the level's),
+ * _ATTENUATION, _OVERLAP.
+ *
+ * The mean of a block's depths is more than its depth at the side where light leaves it, so that
+ * thick blocks come out too dark. A level of a pyramid given to qv_attenuate as a volume has no
+ * such loss.
  */
 qv_status qv_attenuate_level(void *to, size_t bytes, const qv_attenuation *attenuation,
                              const uint32_t *blocks, const uint16_t size[3], uint8_t level,
@@ -1227,8 +1233,6 @@ typedef struct qv_sums {
     qv_rect rect;
 } qv_sums;
 
-struct qv_splats;
-
 /*
  * How a splat enters the sums. The caller names one, and only that one is linked. The fields are
  * the library's own.
@@ -1257,8 +1261,9 @@ typedef struct qv_splat_scene {
     const qv_splatting *splatting;
     const qv_kernel *kernel;
     const qv_domain *domain; /* that of the volume's fourth channel, as in qv_attenuate */
-    qv_address inside;       /* with an eye in the volume (qv_splat_eye): the bytes of its voxel;
-                                else not read */
+    qv_address inside;       /* with an eye in the volume (qv_splat_eye): the bytes of its voxel, by
+                                whose transmittance A_V that of all voxels is divided; so the error
+                                of a byte grows by 1 / A_V. Else not read */
     uint32_t directions;     /* set of the bytes of all voxels */
     qv_angle field_of_view;  /* as in qv_perspective; 0: orthographic */
     uint8_t nearest;         /* 1: the bytes of the nearest direction of the set, as published; 0:
@@ -1303,12 +1308,13 @@ typedef struct qv_splats {
 int qv_splat_eye(uint16_t position[3], const qv_splat_scene *scene);
 
 /*
- * Checks a scene and makes a qv_splats of it. A voxel of the finest level is 1/64 .. 4096 pixels
- * wide and high in an orthographic view, or at the centre of the volume.
- * Returns QV_OK or QV_ERROR_NULL, _STORAGE, _SIZE, _SPACING, _UNIT and _EXTINCTION (as qv_attenuate), _VIEW,
- * _LEVEL, _LIGHT, _DIRECTION (set empty or with unknown bits, or, where nearest is 0, without a direction that
- * the viewer or a lamp may need), _INSIDE (an eye in the volume, and light from some voxel
- * that the frame may show comes to it by a direction whose byte in `inside` is 0).
+ * Checks a scene and makes a qv_splats of it. A voxel of the finest level must be 1/64 .. 4096
+ * pixels wide and high, in perspective at the distance of the volume's centre.
+ * Returns QV_OK or QV_ERROR_NULL (also without `inside` where an eye lies in the volume), _STORAGE
+ * (also the domain's), _SIZE, _PALETTE, _SPACING, _UNIT and _EXTINCTION (as qv_attenuate), _VIEW,
+ * _LEVEL, _LIGHT, _DIRECTION (a set that is empty or has unknown bits, or lacks a direction that
+ * the viewer or a lamp wants; where `nearest` is 1, the nearest is more than 60 degrees off),
+ * _INSIDE (light may come to the eye by a direction whose byte in `inside` is 0).
  */
 qv_status qv_splat_init(qv_splats *splats, const qv_splat_scene *scene);
 
@@ -1323,33 +1329,38 @@ typedef struct qv_freevoxel {
 
 /*
  * Adds a voxel to the sums (equation 10): colour * opacity * transmittance, spread by the kernel.
- * Of voxels of several levels, it draws those of `coarsest` that are at most `detail` pixels wide, of the
- * others' children those that are, and so on, down to all that remain of `level`: each place
- * once, whatever is offered, in any order. What is not among them, has no opacity, lies
- * outside of the frame, is less than 1/64 or more than 4096 pixels wide or not half a voxel in front of
- * an eye, adds nothing.
  *
- * The opacity is that of the voxel's depth along a step towards the viewer, and the weights of a layer of voxels across the
- * view sum to 1, so that in a homogeneous medium nothing is lost or counted twice, from any side. Weights of one splat
- * sum to its area to 2^-14 pixel. A splat is within 2^-15 of itself and 2^-16 of a level a pixel,
- * for the bytes as they are.
- * Returns QV_OK or QV_ERROR_NULL, _SIZE (no voxel of that level has this position), _LEVEL (above 12),
- * _RECT, _BUFFER (sums). Sums that are full are told by qv_sums_read_out.
+ * Of voxels of several levels it draws those of `coarsest` that are at most `detail` pixels wide
+ * and high, of the voxels that make up the others those that are, and so on; of `level`, all that
+ * remain. So each place is drawn once, whatever is offered in whatever order. What is not among
+ * them, has no opacity or lies outside of the frame adds nothing; in perspective neither does what
+ * is less than 1/64 or more than 4096 pixels wide, not half a voxel in front of the eye, or more
+ * than the frame's width or height from its centre.
+ *
+ * The opacity is that of the voxel's depth along a step towards the viewer, and the weights of a
+ * layer of voxels across the view sum to 1: behind a face of a homogeneous medium nothing is lost
+ * or counted twice. The weights of one splat sum to its size within 2^-14 pixel on each axis. What
+ * is added is within 2^-15 of itself and 2^-16 level of exact for the bytes as they are.
+ * Returns QV_OK or QV_ERROR_NULL, _SIZE (no voxel of that level has this position), _LEVEL (more
+ * than the volume has), _STRIDE (16-bit entry at an odd address), _RECT, _BUFFER (sums). Sums that
+ * are full are told by qv_sums_read_out.
  */
 qv_status qv_splat(const qv_sums *sums, const qv_splats *splats, const qv_freevoxel *voxel);
 
 /*
  * Adds a block of voxels of one level from memory, back to front, as qv_splatting_over wants it.
  * `level` describes the voxels of that level (qv_pyramid_level; the volume itself for level 0).
- * attenuation may be null where the splatting reads none and no lamp shines. Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check, _SIZE (also of the block), _LEVEL,
- * _DIRECTION (not the scene's set), _ATTENUATION, _RECT, _BUFFER, _OVERLAP (sums and voxels).
+ * attenuation may be null where the splatting reads none and no lamp shines. Returns QV_OK or
+ * QV_ERROR_NULL, an error of qv_volume_check, _STORAGE (not that of the scene), _SIZE (also of the
+ * block or of attenuation), _LEVEL, _DIRECTION (not the scene's set), _ATTENUATION, _RECT, _BUFFER,
+ * _OVERLAP (the sums are also something that is read).
  */
 qv_status qv_splat_block(const qv_sums *sums, const qv_splats *splats, const qv_volume *level,
                          const qv_attenuation *attenuation, uint8_t number, const qv_block *block);
 
 /*
- * Adds voxels as they come: calls next, which fills in a voxel and returns 1, until it
- * returns 0, or a negative qv_status of the caller's. What `voxel` points to must live until the next call.
+ * Adds voxels as they come: calls next, which fills in a voxel and returns 1, until it returns 0,
+ * or a negative qv_status of the caller's. What the voxel points to must live until the next call.
  * Returns QV_OK, that status, or the first error of qv_splat; what came before it has been added.
  */
 qv_status qv_splat_stream(const qv_sums *sums, const qv_splats *splats,
@@ -1365,8 +1376,8 @@ qv_status qv_sums_add(const qv_sums *to, const qv_sums *from);
 
 /*
  * The pass from sums to pixels: puts the background behind what was added, and stores the
- * rectangle. Opacity is at most 1, and colours are at most the opacity. Returns QV_OK or QV_ERROR_NULL, _RECT, _BUFFER
- * (of either), _SUMS (a sum is full).
+ * rectangle. Opacity is at most 1, and colours are at most the opacity. Returns QV_OK or
+ * QV_ERROR_NULL, _RECT, _BUFFER (of either), _SUMS (a sum is full).
  */
 qv_status qv_sums_read_out(const qv_image *image, const qv_sums *sums, const qv_splats *splats);
 
