@@ -76,7 +76,7 @@ $(RECOMMEND_GENERATOR): $(TEST_OUT)/tests/recommend/recommend.o $(REFERENCE_OBJE
 	@$(CC) $(CFLAGS) $^ -lm -o $@
 
 # The papers' figures: a program for each paper, of a folder of its own and what all share.
-PAPER_PROGRAMS := $(addprefix $(TEST_OUT)/papers/,wittenbrink kraus dithering)
+PAPER_PROGRAMS := $(addprefix $(TEST_OUT)/papers/,wittenbrink kraus dithering freevoxels)
 paper_objects = $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/papers/*.c tests/papers/$(1)/*.c))
 
 .PHONY: paper-programs
@@ -85,6 +85,7 @@ paper-programs: $(PAPER_PROGRAMS) $(QVOL)
 $(TEST_OUT)/papers/wittenbrink: $(call paper_objects,wittenbrink)
 $(TEST_OUT)/papers/kraus: $(call paper_objects,kraus)
 $(TEST_OUT)/papers/dithering: $(call paper_objects,dithering)
+$(TEST_OUT)/papers/freevoxels: $(call paper_objects,freevoxels)
 
 $(PAPER_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 	@mkdir -p $(@D)

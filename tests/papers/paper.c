@@ -135,14 +135,19 @@ static qv_angle binary_angle(double degrees)
     return (qv_angle)(int64_t)floor(degrees / 360 * 4294967296.0 + 0.5);
 }
 
+void paper_frame(qv_view *frame, const paper_view *view)
+{
+    qv_rotation(frame->rotation, binary_angle(view->azimuth), binary_angle(view->elevation), 0);
+    frame->pitch = q16(view->pitch);
+    frame->step = q16(view->step);
+    frame->width = view->width;
+    frame->height = view->height;
+}
+
 void paper_look(qv_scene *scene, const paper_view *view)
 {
     qv_view frame;
-    qv_rotation(frame.rotation, binary_angle(view->azimuth), binary_angle(view->elevation), 0);
-    frame.pitch = q16(view->pitch);
-    frame.step = q16(view->step);
-    frame.width = view->width;
-    frame.height = view->height;
+    paper_frame(&frame, view);
     paper_require(qv_orthographic(&scene->camera, &scene->volume, &frame) == QV_OK, "camera");
 }
 

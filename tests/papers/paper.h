@@ -71,6 +71,9 @@ typedef struct paper_view {
     uint16_t width, height;
 } paper_view;
 
+/* The frame of a view. */
+void paper_frame(qv_view *frame, const paper_view *view);
+
 /* An orthographic camera for the scene's volume. */
 void paper_look(qv_scene *scene, const paper_view *view);
 
@@ -88,6 +91,12 @@ typedef struct paper_picture {
 
 /* Renders the frame with the library. */
 void paper_render(paper_picture *made, const qv_scene *scene, uint32_t width, uint32_t height);
+
+/* The same by splats: all voxels of one level of the scene's volume, in the frame of its view.
+   attenuation may be null where none is read. */
+void paper_splat(paper_picture *made, const qv_splat_scene *scene, const qv_volume *level,
+                 const qv_attenuation *attenuation);
+
 void paper_picture_make(paper_picture *made, uint32_t width, uint32_t height);
 void paper_picture_free(paper_picture *made);
 

@@ -212,7 +212,27 @@ dithering() {
     head_sheets
 }
 
-[ $# -gt 0 ] || set -- wittenbrink kraus dithering
+# ---- FreeVoxels ---------------------------------------------------------------------
+
+# How each row of figure 6 is called: layers, opacity, gain of the error.
+leak_sheet() {
+    set --
+    while read -r layers opacity gain; do
+        set -- "$@" "leak-$layers-over" "$layers deep, opacity $opacity: conventional" \
+            "leak-$layers-added" "FreeVoxels" \
+            "leak-$layers-over-error" "conventional: error times $gain" \
+            "leak-$layers-added-error" "FreeVoxels: error times $gain"
+    done <"$folder/data/leak.index"
+    sheet figure6 "Figure 6: uniform voxels, 14 pixels wide, linear kernel" 4 "$@"
+}
+
+freevoxels() {
+    plot figure2
+    leak_sheet
+    plot inside
+}
+
+[ $# -gt 0 ] || set -- wittenbrink kraus dithering freevoxels
 for paper in "$@"; do
     compute "$paper"
     "$paper"

@@ -38,17 +38,22 @@ static size_t pixels_of(const paper_picture *picture)
     return (size_t)picture->width * picture->height;
 }
 
-void paper_render(paper_picture *made, const qv_scene *scene, uint32_t width, uint32_t height)
+/* Memory for finished pixels of a frame. */
+static qv_image frame_make(uint32_t width, uint32_t height)
 {
-    const qv_rect rect = {0, 0, (int32_t)width, (int32_t)height};
+    const size_t pixel = 4 * sizeof(uint32_t);
+    const qv_image image = {paper_memory((size_t)width * height, pixel),
+                            (size_t)width * height * pixel, (ptrdiff_t)(width * pixel),
+                            &format_all};
+    return image;
+}
+
+/* Turns them into a picture, and frees their memory. */
+static void frame_finish(paper_picture *made, const qv_image *frame, uint32_t width,
+                         uint32_t height)
+{
     const double one = 255.0 * 65536;
-    uint32_t(*levels)[4] = paper_memory((size_t)width * height, sizeof levels[0]);
-    const qv_image image = {levels, (size_t)width * height * sizeof levels[0],
-                            (ptrdiff_t)(width * sizeof levels[0]), &format_all};
-    qv_context context;
-    const qv_status status = qv_init(&context, scene);
-    paper_require(status == QV_OK, qv_status_text(status));
-    paper_require(qv_render(&image, &context, &rect) == QV_OK, "cannot render");
+    uint32_t(*const levels)[4] = frame->pixels;
     paper_picture_make(made, width, height);
     for (size_t i = 0; i < pixels_of(made); i++) {
         for (int channel = 0; channel < 4; channel++) {
@@ -56,6 +61,37 @@ void paper_render(paper_picture *made, const qv_scene *scene, uint32_t width, ui
         }
     }
     free(levels);
+}
+
+void paper_render(paper_picture *made, const qv_scene *scene, uint32_t width, uint32_t height)
+{
+    const qv_rect rect = {0, 0, (int32_t)width, (int32_t)height};
+    const qv_image frame = frame_make(width, height);
+    qv_context context;
+    const qv_status status = qv_init(&context, scene);
+    paper_require(status == QV_OK, qv_status_text(status));
+    paper_require(qv_render(&frame, &context, &rect) == QV_OK, "cannot render");
+    frame_finish(made, &frame, width, height);
+}
+
+void paper_splat(paper_picture *made, const qv_splat_scene *scene, const qv_volume *level,
+                 const qv_attenuation *attenuation)
+{
+    const uint16_t width = scene->view.width, height = scene->view.height;
+    const uint16_t *size = level->size;
+    const qv_block all = {{0, 0, 0}, {size[0], size[1], size[2]}};
+    const qv_image frame = frame_make(width, height);
+    const size_t count = (size_t)width * height * QV_SUM_CHANNELS;
+    const qv_sums sums = {paper_memory(count, sizeof(uint32_t)), count, {0, 0, width, height}};
+    qv_splats splats;
+    const qv_status status = qv_splat_init(&splats, scene);
+    paper_require(status == QV_OK, qv_status_text(status));
+    paper_require(qv_sums_clear(&sums, &splats) == QV_OK, "cannot clear sums");
+    paper_require(qv_splat_block(&sums, &splats, level, attenuation, scene->level, &all) == QV_OK,
+                  "cannot splat");
+    paper_require(qv_sums_read_out(&frame, &sums, &splats) == QV_OK, "cannot read out sums");
+    frame_finish(made, &frame, width, height);
+    free(sums.sums);
 }
 
 void paper_render_ray(double rgba[4], const qv_scene *scene)
