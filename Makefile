@@ -1,7 +1,7 @@
 # qvol: an integer-only volume renderer. `make help` lists the targets.
 #
 # Variables: TARGET=host|cortex-m0|cortex-m3|avr, CC, CFLAGS, OPTIMISE=-O2,
-# PREFIX=/usr/local, WITHOUT="png nifti nrrd cmocka" (leave out what is installed).
+# PREFIX=/usr/local, WITHOUT="png nifti nrrd mpi cmocka" (leave out what is installed).
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
@@ -77,6 +77,7 @@ $(OUT)/fixedpoint/%.o: fixedpoint/%.c $(OPTIONS)
 
 ifeq ($(TARGET),host)
 include port/host/host.mk
+include port/mpi/mpi.mk
 include tests/tests.mk
 else
 include toolchain/device.mk
