@@ -1128,8 +1128,9 @@ typedef struct qv_attenuation {
     uint16_t record;       /* from one voxel's bytes to the next one's; 0: as many as directions */
 } qv_attenuation;
 
-/* Bytes of such records: 26 a voxel for all directions. 0 where size, set or record is out of
-   range. attenuation->records and ->bytes are not read. */
+/* Bytes of such records, to the end of the last voxel's: 26 a voxel for all directions without
+   gaps. 0 where size, set or record is out of range. attenuation->records and ->bytes are not
+   read. */
 uint64_t qv_attenuation_bytes(const qv_attenuation *attenuation);
 
 /* The bytes of a voxel; null where it lies outside of the level, or the descriptor is wrong. */
@@ -1143,19 +1144,21 @@ qv_address qv_attenuation_at(const qv_attenuation *attenuation, const uint16_t p
  * opacity holds for a step of any direction, as published. Takes time in proportion to the voxels.
  *
  * `to` and `bytes` are the memory that attenuation describes, whose own address and length are
- * not read; bytes of other directions stay. blocks: null, or memory for the sums that coarser
- * levels are made of, one for each block of 2 x 2 x 2 voxels, ceil(size / 2) on an axis, x fastest,
- * which this direction overwrites.
+ * not read; bytes of other directions stay, as does what lies between records. That may be the
+ * volume's voxels themselves, all at the same place of a record, with strides of whole records.
+ * blocks: null, or memory for the sums that coarser levels are made of, one for each block of
+ * 2 x 2 x 2 voxels, ceil(size / 2) on an axis, x fastest, which this direction overwrites.
  *
- * Depths add up in 64 bits, unrounded; each byte is rounded once, to nearest, and within .51 of
- * exact for up to 1000 voxels in a line (.55 for 4096). The domain must be that of the volume's
- * fourth channel: qv_domain_extinction for opacity, qv_domain_stored for extinction. Works in some
- * 300 bytes on the stack.
+ * Depths add up in 64 bits; each byte is rounded once, to nearest, and within .51 of exact on lines
+ * of up to 1000 unit distances, or 1000 voxels where there is none (.52 up to 4096). On longer ones
+ * too, but for opacities of at most 30 / 65535: .59.
+ * The domain must be that of the volume's fourth channel: qv_domain_extinction for opacity,
+ * qv_domain_stored for extinction. Works in some 400 bytes on the stack.
  * Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check, _STORAGE (domain), _UNIT (a step
- * outside 2^-12 .. 2^12 unit distances), _EXTINCTION (a step's depth 0, or 2^12 or more, at the
- * full value), _DIRECTION (not in the set, or a set that is empty or has unknown bits), _SIZE (not
- * the volume's), _ATTENUATION (record too short, or memory too small), _OVERLAP (the memory is also
- * the volume's or that of blocks).
+ * outside 2^-12 .. 2^12 unit distances), _EXTINCTION (a step's depth 0, or 2^12 or more, at the full
+ * value), _DIRECTION (not in the set, or a set that is empty or has unknown bits), _SIZE (not the
+ * volume's), _ATTENUATION (record too short, or memory too small), _OVERLAP (the memory is also the
+ * voxels', the palette's or that of blocks; or blocks' is the voxels' or the palette's).
  */
 qv_status qv_attenuate(void *to, size_t bytes, uint32_t *blocks, const qv_attenuation *attenuation,
                        const qv_volume *volume, const qv_domain *domain, uint8_t direction);
@@ -1163,12 +1166,13 @@ qv_status qv_attenuate(void *to, size_t bytes, uint32_t *blocks, const qv_attenu
 /*
  * The hierarchy (section 3.2, equation 7): for one direction, the bytes of level 1, 2 .. 12, from
  * the sums that qv_attenuate has left in `blocks` for a volume of `size`: of each block the
- * geometric mean of its voxels' transmittance, which is the mean of their depths. No depth counts
- * as more than 64: so a voxel behind something opaque has a transmittance of 2^-64, and one of
- * eight leaves 2^-8 of its block's. Every level is made of the voxels' depths, not of rounded
- * bytes: within .51. attenuation is that of the level. Returns QV_OK or QV_ERROR_NULL, _DIRECTION,
- * _LEVEL (0, or more than the size has), _SIZE (attenuation->size is not the level's),
- * _ATTENUATION, _OVERLAP.
+ * geometric mean of its voxels' transmittance, which is the mean of their depths. No depth counts as
+ * more than 64: so a voxel behind something opaque has a transmittance of 2^-64, and one of eight
+ * leaves 2^-8 of its block's. Every level is made of the voxels' depths, not of rounded bytes: within
+ * .51. A block that reaches beyond the volume is the mean of what lies inside.
+ * attenuation is that of the level. Returns QV_OK or QV_ERROR_NULL, _DIRECTION, _LEVEL (0, or more
+ * than the size has), _SIZE (an axis out of range; attenuation->size is not the level's),
+ * _ATTENUATION, _OVERLAP (of the two memories).
  *
  * The mean of a block's depths is more than its depth at the side where light leaves it, so that
  * thick blocks come out too dark. A level of a pyramid given to qv_attenuate as a volume has no
