@@ -1155,10 +1155,10 @@ qv_address qv_attenuation_at(const qv_attenuation *attenuation, const uint16_t p
  * The domain must be that of the volume's fourth channel: qv_domain_extinction for opacity,
  * qv_domain_stored for extinction. Works in some 400 bytes on the stack.
  * Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check, _STORAGE (domain), _UNIT (a step
- * outside 2^-12 .. 2^12 unit distances), _EXTINCTION (a step's depth 0, or 2^12 or more, at the full
- * value), _DIRECTION (not in the set, or a set that is empty or has unknown bits), _SIZE (not the
- * volume's), _ATTENUATION (record too short, or memory too small), _OVERLAP (the memory is also the
- * voxels', the palette's or that of blocks; or blocks' is the voxels' or the palette's).
+ * outside 2^-12 .. 2^12 unit distances), _EXTINCTION (a step's depth 0, or 2^12 or more, at the
+ * full value), _DIRECTION (not in the set, or a set that is empty or has unknown bits), _SIZE (not
+ * the volume's), _ATTENUATION (record too short, or memory too small), _OVERLAP (the memory is also
+ * the voxels', the palette's or that of blocks; or blocks' is the voxels' or the palette's).
  */
 qv_status qv_attenuate(void *to, size_t bytes, uint32_t *blocks, const qv_attenuation *attenuation,
                        const qv_volume *volume, const qv_domain *domain, uint8_t direction);
@@ -1166,10 +1166,10 @@ qv_status qv_attenuate(void *to, size_t bytes, uint32_t *blocks, const qv_attenu
 /*
  * The hierarchy (section 3.2, equation 7): for one direction, the bytes of level 1, 2 .. 12, from
  * the sums that qv_attenuate has left in `blocks` for a volume of `size`: of each block the
- * geometric mean of its voxels' transmittance, which is the mean of their depths. No depth counts as
- * more than 64: so a voxel behind something opaque has a transmittance of 2^-64, and one of eight
- * leaves 2^-8 of its block's. Every level is made of the voxels' depths, not of rounded bytes: within
- * .51. A block that reaches beyond the volume is the mean of what lies inside.
+ * geometric mean of its voxels' transmittance, which is the mean of their depths. No depth counts
+ * as more than 64: so a voxel behind something opaque has a transmittance of 2^-64, and one of
+ * eight leaves 2^-8 of its block's. Every level is made of the voxels' depths, not of rounded
+ * bytes: within .51. A block that reaches beyond the volume is the mean of what lies inside.
  * attenuation is that of the level. Returns QV_OK or QV_ERROR_NULL, _DIRECTION, _LEVEL (0, or more
  * than the size has), _SIZE (an axis out of range; attenuation->size is not the level's),
  * _ATTENUATION, _OVERLAP (of the two memories).
