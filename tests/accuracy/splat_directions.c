@@ -179,7 +179,7 @@ static void set_scene(qv_splat_scene *scene, const subject *of, const look *from
     scene->kernel = &qv_kernel_quadratic;
     scene->domain = attenuated_domain(&of->volume);
     scene->directions = QV_DIRECTIONS_ALL;
-    scene->nearest = nearest;
+    scene->interpolation = nearest;
     scene->view = from->view;
     scene->volume = of->volume;
 }
