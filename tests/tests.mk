@@ -38,8 +38,8 @@ test-all: all test-programs
 	@BUILD=$(BUILD) QVOL=$(QVOL) CC="$(CC)" \
 		tests/run $(UNIT_TESTS) $(GOLDEN_TEST) $(ACCURACY_TESTS) $(SCRIPTS)
 
-exhaustive: $(EXHAUSTIVE_TESTS)
-	@tests/run $(EXHAUSTIVE_TESTS)
+exhaustive: $(EXHAUSTIVE_TESTS) $(TEST_OUT)/accuracy/splat_directions
+	@QV_VIEWS=500 tests/run $^
 
 golden-update: $(GOLDEN_TEST) ## write tests/golden/golden.h anew, after a change of the specification
 	$(GOLDEN_TEST) --update > $(TEST_OUT)/golden.h

@@ -23,16 +23,6 @@ static void check_outputs(const struct settings *settings)
     }
 }
 
-/* A voxel of a level stands for the eight below it. */
-static struct settings with_filter(const struct settings *settings)
-{
-    struct settings own = *settings;
-    if (own.filter == FILTER_BY_SAMPLING) {
-        own.filter = FILTER_BOX2;
-    }
-    return own;
-}
-
 /* Opacities that are to hold for a length and were given none hold for 1. */
 static void set_unit_distance(struct model *model, const struct settings *settings)
 {
@@ -43,6 +33,17 @@ static void set_unit_distance(struct model *model, const struct settings *settin
     if (model->unit_distance == 0 && !stored && !settings->freevoxel.uncorrected) {
         model->unit_distance = QV_ONE_Q16;
     }
+}
+
+/* Levels of the input, or made here: a voxel of a level stands for the eight below it. */
+static void create_levels(struct levels *levels, const qv_volume *volume, const struct model *model,
+                          const struct settings *settings)
+{
+    struct settings own = *settings;
+    if (own.filter == FILTER_BY_SAMPLING && model->scan.levels == NULL) {
+        own.filter = FILTER_BOX2;
+    }
+    levels_create(levels, volume, model, &own);
 }
 
 /* As many levels as are asked for, or as the size has. */
@@ -90,22 +91,22 @@ static void write_report(const struct freevoxel_header *header, const struct mod
 
 int command_freevoxel(const struct settings *settings)
 {
-    struct settings own = with_filter(settings);
     struct model model;
     struct levels levels = {0};
     struct freevoxel_header header;
     qv_volume volume;
     output out;
     check_outputs(settings);
-    model_read(&model, &own, settings->operands[0], QV_STORAGE_INDEXED8);
+    model_read(&model, settings, settings->operands[0], QV_STORAGE_INDEXED8);
     set_unit_distance(&model, settings);
-    model_volume(&volume, &model, &own);
+    model_volume(&volume, &model, settings);
     make_header(&header, &volume, settings);
     if (header.coarser != 0) {
-        levels_create(&levels, &volume, &model, &own);
+        create_levels(&levels, &volume, &model, settings);
     }
     output_open(&out, settings->output);
-    freevoxel_build(output_map(&out, header.total_bytes), &header, &volume, &levels, &model, &own);
+    freevoxel_build(output_map(&out, header.total_bytes), &header, &volume, &levels, &model,
+                    settings);
     write_report(&header, &model, &volume, settings);
     output_commit(&out);
     levels_free(&levels);

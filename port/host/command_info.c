@@ -168,7 +168,8 @@ int command_info(const struct settings *settings)
 {
     struct scan scan;
     struct spread spread = {0};
-    if (freevoxel_file_is(settings->operands[0])) {
+    bool raw = settings->raw.size[0] != 0 || settings->raw.type != 0;
+    if (!raw && freevoxel_file_is(settings->operands[0])) {
         tell_freevoxel_file(settings);
         finish_output();
     }

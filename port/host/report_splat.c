@@ -3,6 +3,7 @@
  */
 #include "report_splat.h"
 #include "lighting.h"
+#include "parallel.h"
 #include "report.h"
 #include "report_freevoxel.h"
 #include "settings_freevoxel.h"
@@ -28,13 +29,16 @@ static void report_splatting(struct json *json, const qv_splat_scene *scene,
     json_close(json);
 }
 
+/* Back to front, all workers share the sums. */
 static void report_memory(struct json *json, const struct freevoxel_file *file,
-                          const struct frame *frame)
+                          const struct frame *frame, const struct settings *settings)
 {
+    bool shared = settings->splat.splatting == SPLATTING_OVER;
     uint64_t pixels = (uint64_t)frame->width * frame->height;
+    uint64_t sums = pixels * QV_SUM_CHANNELS * sizeof(uint32_t);
     json_object(json, "memory");
     json_unsigned(json, "mapped_bytes", file->header.total_bytes);
-    json_unsigned(json, "sums_bytes", pixels * QV_SUM_CHANNELS * sizeof(uint32_t));
+    json_unsigned(json, "sums_bytes", shared ? sums : sums * parallel_threads(settings->threads));
     json_close(json);
 }
 
@@ -48,7 +52,7 @@ void report_splats(struct json *json, const struct freevoxel_file *file, const q
     report_splatting(json, scene, settings);
     report_lighting(json, &scene->lighting);
     report_frame(json, scene->background, frame);
-    report_memory(json, file, frame);
+    report_memory(json, file, frame, settings);
     json_object(json, "statistics");
     json_unsigned(json, "voxels", drawn);
     json_decimal(json, "seconds", frame->seconds);

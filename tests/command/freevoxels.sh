@@ -131,6 +131,10 @@ for i, (voxel, row) in enumerate(z.records()):
 PY
 make_file b.fv $IN --levels 0
 check "without levels the file says so" sh -c '"$1" info b.fv | grep -q "^hierarchy    none$"' - "$QVOL"
+make_file b.fv $IN --storage rgba16 --filter quad4
+"$QVOL" pyramid $IN -o levels.bin --tf ./thin.tf --storage rgba16 --filter quad4 --endian big
+"$QVOL" freevoxel levels.bin --dims 12x10x8 --type rgba16be -o c.fv
+check "levels that the input has are taken" cmp b.fv c.fv
 : >linked.fv
 ln -s linked.fv link.fv
 "$QVOL" freevoxel $IN --tf ./thin.tf -o link.fv
@@ -155,6 +159,8 @@ make_refuses "an unknown order" "--order: .*linear, morton, hilbert" --order pea
 make_refuses "an unknown hierarchy" "--hierarchy: .*geometric, rebuilt" --hierarchy mean
 make_refuses "too many levels" "--levels: 5, the volume has 4" --levels 5
 make_refuses "more levels than any volume" "--levels: " --levels 13
+refuses "--filter of levels that are there" 2 "--filter: the input has its levels" "$QVOL" freevoxel levels.bin \
+    --dims 12x10x8 --type rgba16be -o refused.fv --filter box2
 make_refuses "--hierarchy without levels" "--hierarchy: needs --levels" --levels 0 --hierarchy geometric
 make_refuses "--filter without levels" "--filter: needs" --levels 0 --filter box4
 make_refuses "rebuilt without lengths" "--hierarchy: needs lengths" --hierarchy rebuilt --uncorrected
