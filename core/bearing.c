@@ -276,48 +276,50 @@ static fx_depth depth_along(const qv_bearing *bearing, unsigned part, qv_address
 
 /* Transmittance along a part of a bearing. A byte of 0 lets nothing through, whatever the scale;
    of scale 1 any byte is what it says. */
-static uint32_t clear_along(const qv_bearing *bearing, unsigned part, qv_address bytes,
-                            qv_address inside)
+static uint32_t clear_along(const qv_bearing *bearing, unsigned part, qv_address bytes)
 {
     uint8_t byte = qv_read8(qv_at(bytes, bearing->slot[part]));
-    if (byte == 0 || (bearing->scale[part] == QV_BEARING_ONE && !inside))
+    if (byte == 0 || bearing->scale[part] == QV_BEARING_ONE)
         return 0x01010101u * byte;
-    fx_depth depth = depth_along(bearing, part, bytes);
-    fx_depth less = inside ? depth_along(bearing, part, inside) : 0;
-    return clear_after(depth > less ? depth - less : 0);
+    return clear_after(depth_along(bearing, part, bytes));
 }
 
-/* Whether all of the bytes that count are 0. */
-static int is_hidden(const qv_bearing *bearing, qv_address bytes)
+/* Between transmittances: shares sum to 2^30. */
+static uint32_t between_light(const qv_bearing *bearing, qv_address bytes)
 {
+    uint64_t clear = ONE_Q30 / 2u;
     for (unsigned i = 0; i < 3; i++)
-        if (bearing->share[i] != 0 && qv_read8(qv_at(bytes, bearing->slot[i])) != 0)
-            return 0;
-    return 1;
+        if (bearing->share[i] != 0)
+            clear += fx_wide_product(clear_along(bearing, i, bytes), bearing->share[i]);
+    return (uint32_t)(clear >> 30);
 }
 
-/* By the sum of depths. */
-static uint32_t clear_between(const qv_bearing *bearing, qv_address bytes, qv_address inside)
+/* Between depths, whose scales are shares too; dark where all bytes are 0. */
+static uint32_t between_depths(const qv_bearing *bearing, qv_address bytes)
 {
-    fx_depth depth = 0, less = 0;
-    if (is_hidden(bearing, bytes))
-        return 0;
+    fx_depth depth = 0;
+    int dark = 1;
     for (unsigned i = 0; i < 3; i++) {
         if (bearing->share[i] == 0)
             continue;
         depth += depth_along(bearing, i, bytes);
-        less += inside ? depth_along(bearing, i, inside) : 0;
+        dark &= qv_read8(qv_at(bytes, bearing->slot[i])) == 0;
     }
-    return clear_after(depth > less ? depth - less : 0);
+    return dark ? 0 : clear_after(depth);
 }
 
+static uint32_t clear_of(const qv_bearing *bearing, qv_address bytes)
+{
+    return bearing->of_depths ? between_depths(bearing, bytes) : between_light(bearing, bytes);
+}
+
+/* A_B / A_V is a difference of depths, of which the nearer voxel's cannot be more. */
 uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside)
 {
-    uint64_t clear = 0; /* shares sum to 2^30 */
-    if (bearing->of_depths)
-        return clear_between(bearing, bytes, inside);
-    for (unsigned i = 0; i < 3; i++)
-        if (bearing->share[i] != 0)
-            clear += fx_wide_product(clear_along(bearing, i, bytes, inside), bearing->share[i]);
-    return (uint32_t)((clear + ONE_Q30 / 2u) >> 30);
+    uint32_t clear = clear_of(bearing, bytes);
+    if (!inside || clear == 0)
+        return clear;
+    fx_depth depth = fx_depth_of_transmittance(clear);
+    fx_depth less = fx_depth_of_transmittance(clear_of(bearing, inside));
+    return clear_after(depth > less ? depth - less : 0);
 }

@@ -39,9 +39,8 @@ uint32_t qv_bearing_reach(int32_t corner[4][3]);
 
 /*
  * Transmittance along a bearing for a voxel with these bytes, Q0.32 with 2^32 - 1 for 1. `inside`:
- * null, or the bytes of the voxel up to which light is followed (section 3.3: A_B / A_V). Of one
- * direction it is the byte itself; between three, within 2^-17; nothing
- * passes where all that count are 0.
+ * null, or the bytes of the voxel up to which light is followed (section 3.3: A_B / A_V, at most
+ * 1). Of one direction it is the byte itself; else within 2^-22, and inside 2^-22 / A_V.
  */
 uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside);
 

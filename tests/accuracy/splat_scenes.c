@@ -133,7 +133,7 @@ static void compare_scene(results *into, seeded_splats *made, uint32_t seed)
     ref_bytes bytes;
     attenuated_make(&light, &made->level[0], made->levels, made->scene.directions, NULL);
     assert_true(ref_bytes_make(&bytes, &made->level[0], made->levels));
-    bytes.light = made->scene.interpolation ? REF_LIGHT_NEAREST : REF_LIGHT_DEPTHS;
+    bytes.light = (ref_light)made->scene.interpolation;
     bytes.directions = made->scene.directions;
     made->real.depths.along = ref_depth_of_bytes;
     made->real.depths.in = &bytes;
