@@ -55,9 +55,7 @@ qv_address qv_attenuation_at(const qv_attenuation *attenuation, const uint16_t p
         qv_attenuation_check(attenuation, attenuation->bytes) != QV_OK ||
         !qv_box_holds(attenuation->size, position))
         return 0;
-    uint64_t index = qv_attenuation_order(attenuation)->index(attenuation->size, position);
-    return qv_at(attenuation->records,
-                 (qv_offset)index * (qv_offset)qv_attenuation_record(attenuation));
+    return qv_attenuation_of(attenuation, qv_attenuation_record(attenuation), position);
 }
 
 qv_status qv_target_init(qv_target *target, void *to, size_t bytes,
@@ -69,9 +67,8 @@ qv_status qv_target_init(qv_target *target, void *to, size_t bytes,
         return status;
     if (direction >= QV_DIRECTIONS || (attenuation->directions >> direction & 1u) == 0)
         return QV_ERROR_DIRECTION;
-    for (unsigned axis = 0; axis < 3; axis++)
-        if (attenuation->size[axis] != size[axis])
-            return QV_ERROR_SIZE;
+    if (!qv_box_equals(attenuation->size, size))
+        return QV_ERROR_SIZE;
     target->first = (uint8_t *)to + qv_direction_slot(attenuation->directions, direction);
     target->order = qv_attenuation_order(attenuation);
     target->size = attenuation->size;

@@ -6,6 +6,7 @@
 
 #include "fx_exp.h"
 #include "fx_wide.h"
+#include "access.h"
 #include "pyramid.h"
 #include "qvol.h"
 
@@ -21,6 +22,14 @@ static inline const qv_order *qv_attenuation_order(const qv_attenuation *attenua
 
 /* Bytes from a voxel's to those of the next index: as many as the set has, or more. */
 uint16_t qv_attenuation_record(const qv_attenuation *attenuation);
+
+/* The bytes of a voxel of the level; `record` is qv_attenuation_record, and all was checked. */
+static inline qv_address qv_attenuation_of(const qv_attenuation *attenuation, uint16_t record,
+                                           const uint16_t position[3])
+{
+    uint64_t index = qv_attenuation_order(attenuation)->index(attenuation->size, position);
+    return qv_at(attenuation->records, (qv_offset)index * (qv_offset)record);
+}
 
 /* round(255 * 2^-depth), ties upwards, within .50002 of it; 255 * 2^-9 rounds to 0. Of Q1.31, 24
    fraction bits are kept: 255 * 2^24 + 2^23 < 2^32. */

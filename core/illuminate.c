@@ -8,6 +8,7 @@
 #include "cell.h"
 #include "entry.h"
 #include "lighting.h"
+#include "order.h"
 #include "overlap.h"
 
 /* What the voxels of one call share. */
@@ -15,7 +16,7 @@ typedef struct pass {
     const qv_volume *volume;
     const qv_attenuation *attenuation; /* null: no lamp shines */
     const qv_lighting *lighting;
-    uint32_t record; /* of the attenuation */
+    uint16_t record; /* of the attenuation */
     qv_bearing lamp[QV_LAMPS_MAX];
 } pass;
 
@@ -24,8 +25,7 @@ static qv_address bytes_of(const pass *p, const uint16_t position[3])
 {
     if (!p->attenuation)
         return 0;
-    uint64_t index = qv_attenuation_order(p->attenuation)->index(p->attenuation->size, position);
-    return qv_at(p->attenuation->records, (qv_offset)index * (qv_offset)p->record);
+    return qv_attenuation_of(p->attenuation, p->record, position);
 }
 
 /* A voxel's entry, lit: at most 8 bytes. */
@@ -50,17 +50,12 @@ static void light_block(uint8_t *to, const pass *p, const qv_block *block)
             }
 }
 
-static int same_size(const uint16_t a[3], const uint16_t b[3])
-{
-    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-}
-
 static qv_status check_attenuation(const qv_attenuation *attenuation, const uint16_t size[3])
 {
     if (!attenuation || !attenuation->records)
         return QV_ERROR_NULL;
     qv_status status = qv_attenuation_check(attenuation, attenuation->bytes);
-    return status == QV_OK && !same_size(attenuation->size, size) ? QV_ERROR_SIZE : status;
+    return status == QV_OK && !qv_box_equals(attenuation->size, size) ? QV_ERROR_SIZE : status;
 }
 
 /* Whether each voxel of a valid block is written where it is itself, after it was read. */
@@ -82,13 +77,11 @@ static int in_place(uintptr_t distance, const qv_volume *volume, const qv_block 
 /* Whether a block would be written over what it is made of. */
 static int overlaps(const void *to, const pass *p, const qv_block *block)
 {
-    const qv_attenuation *attenuation = p->attenuation;
     uint64_t bytes = qv_block_bytes(block, qv_entry_bytes(p->volume->storage));
     uintptr_t distance;
     if (qv_palette_meets(p->volume, to, bytes))
         return 1;
-    if (attenuation && qv_distance(&distance, to, attenuation->records) &&
-        qv_regions_meet(distance, bytes, attenuation->bytes))
+    if (p->attenuation && qv_records_meet(p->attenuation, to, bytes))
         return 1;
     return qv_voxels_meet(p->volume, to, bytes) &&
            !(qv_distance(&distance, to, p->volume->voxels) && in_place(distance, p->volume, block));

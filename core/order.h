@@ -22,6 +22,11 @@ static inline uint64_t qv_box_voxels(const uint16_t size[3])
     return fx_wide_product((uint32_t)size[0] * size[1], size[2]);
 }
 
+static inline int qv_box_equals(const uint16_t size[3], const uint16_t other[3])
+{
+    return size[0] == other[0] && size[1] == other[1] && size[2] == other[2];
+}
+
 /* Whether a voxel lies in a box. */
 static inline int qv_box_holds(const uint16_t size[3], const uint16_t position[3])
 {

@@ -26,3 +26,10 @@ int qv_palette_meets(const qv_volume *volume, const void *written, uint64_t byte
     return volume->palette && qv_distance(&distance, written, volume->palette) &&
            qv_regions_meet(distance, bytes, volume->palette_bytes);
 }
+
+int qv_records_meet(const qv_attenuation *attenuation, const void *written, uint64_t bytes)
+{
+    uintptr_t distance;
+    return qv_distance(&distance, written, attenuation->records) &&
+           qv_regions_meet(distance, bytes, attenuation->bytes);
+}

@@ -15,8 +15,9 @@ static inline int qv_regions_meet(uintptr_t distance, uint64_t first, uint64_t s
 }
 
 /* Whether memory that is written is also the voxels' of a checked volume, gaps between them
-   included; or its palette's. */
+   included; its palette's; or that which a descriptor of attenuation gives. */
 int qv_voxels_meet(const qv_volume *volume, const void *written, uint64_t bytes);
 int qv_palette_meets(const qv_volume *volume, const void *written, uint64_t bytes);
+int qv_records_meet(const qv_attenuation *attenuation, const void *written, uint64_t bytes);
 
 #endif /* QV_OVERLAP_H */

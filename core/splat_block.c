@@ -2,6 +2,7 @@
 #include "attenuation.h"
 #include "block.h"
 #include "fx_wide.h"
+#include "order.h"
 #include "overlap.h"
 #include "splat.h"
 #include "storage.h"
@@ -73,9 +74,8 @@ static qv_status check_attenuation(const qv_splats *splats, const qv_volume *lev
         return QV_ERROR_NULL;
     if (attenuation->directions != scene->directions)
         return QV_ERROR_DIRECTION;
-    for (unsigned axis = 0; axis < 3; axis++)
-        if (attenuation->size[axis] != level->size[axis])
-            return QV_ERROR_SIZE;
+    if (!qv_box_equals(attenuation->size, level->size))
+        return QV_ERROR_SIZE;
     return qv_attenuation_check(attenuation, attenuation->bytes);
 }
 
@@ -84,24 +84,18 @@ static int overlaps(const qv_sums *sums, const qv_volume *level, const qv_attenu
 {
     uint64_t width = (uint64_t)(sums->rect.right - sums->rect.left);
     uint64_t bytes = width * (uint32_t)(sums->rect.bottom - sums->rect.top); /* < 2^32 */
-    uintptr_t distance;
     bytes *= QV_SUM_CHANNELS * sizeof(uint32_t);
-    if (attenuation && qv_distance(&distance, sums->sums, attenuation->records) &&
-        qv_regions_meet(distance, bytes, attenuation->bytes))
-        return 1;
-    return qv_voxels_meet(level, sums->sums, bytes) || qv_palette_meets(level, sums->sums, bytes);
+    return qv_voxels_meet(level, sums->sums, bytes) || qv_palette_meets(level, sums->sums, bytes) ||
+           (attenuation && qv_records_meet(attenuation, sums->sums, bytes));
 }
 
 static void put_voxel(const qv_sums *sums, const qv_splats *splats, const qv_volume *level,
                       const qv_attenuation *attenuation, qv_freevoxel *voxel)
 {
     voxel->voxel = qv_voxel_at(level, voxel->position);
-    if (attenuation) {
-        uint64_t index =
-            qv_attenuation_order(attenuation)->index(attenuation->size, voxel->position);
+    if (attenuation)
         voxel->attenuation =
-            qv_at(attenuation->records, (qv_offset)index * qv_attenuation_record(attenuation));
-    }
+            qv_attenuation_of(attenuation, qv_attenuation_record(attenuation), voxel->position);
     qv_splat_put(sums, splats, voxel);
 }
 

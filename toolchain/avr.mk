@@ -17,7 +17,7 @@ TARGET_PORT := $(addprefix $(TARGET_PORT_FOLDER)/,usart.c simulator.c) port/cons
 TARGET_LDFLAGS := -mmcu=$(TARGET_BOARD) -Wl,--gc-sections -T toolchain/$(TARGET_BOARD).ld
 TARGET_SCRIPTS := toolchain/$(TARGET_BOARD).ld
 
-TARGET_FIRMWARE := functions blends planet
+TARGET_FIRMWARE := functions blends planet ball freevoxels
 
 # ---- The planet in flash ----------------------------------------------------------
 

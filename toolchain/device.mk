@@ -39,10 +39,13 @@ FIRMWARE_golden_splats := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_s
 FIRMWARE_bench := tests/bench/bench_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_blends := tests/bench/blends_device.c
+BALL_IN_FLASH := $(TARGET_PORT_FOLDER)/ball_flash.c tests/device/ball.c
+FIRMWARE_ball := port/firmware_ball.c $(BALL_IN_FLASH)
+FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
 FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
 
 DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \
-	-Icore -Ifixedpoint -Iport -I$(TARGET_PORT_FOLDER) -I$(OUT)
+	-Icore -Ifixedpoint -Iport -I$(TARGET_PORT_FOLDER) -Itests/device -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
 DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CFLAGS) $(TARGET_LDFLAGS))
 
@@ -75,6 +78,26 @@ $(OUT)/$(1).elf: $(call objects,$(FIRMWARE_$(1))) $(DEVICE_OBJECTS) $(LIBRARY) $
 endef
 $(foreach name,$(TARGET_FIRMWARE),$(eval $(call link_firmware,$(name))))
 -include $(DEVICE_OBJECTS:.o=.d)
+
+# ---- The ball in flash ----------------------------------------------------------
+
+# Of the library, what qv_attenuate calls: all of it takes long to compile.
+BALL_WRITE := $(BUILD)/device/ball_write
+BALL_SOURCES := $(addprefix tests/device/,ball.c ball_make.c ball_host.c ball_write.c) \
+	$(patsubst %,core/%.c,attenuate attenuation direction domain_extinction layout order \
+	order_linear overlap thickness volume) $(wildcard fixedpoint/*.c)
+
+$(BALL_WRITE): $(BALL_SOURCES) $(wildcard tests/device/ball*.h core/*.h fixedpoint/*.h)
+	@mkdir -p $(@D)
+	@echo "  CC  $@"
+	@$(HOST_CC) -std=c99 $(WARNINGS) -O2 -Icore -Ifixedpoint -Itests/device $(BALL_SOURCES) -o $@
+
+$(OUT)/ball.volume: $(BALL_WRITE)
+	@mkdir -p $(@D)
+	@echo "  GEN $@"
+	@$< $@
+
+$(OUT)/$(TARGET_PORT_FOLDER)/ball_flash.o: $(OUT)/ball.volume
 
 # ---- The head in flash ----------------------------------------------------------
 

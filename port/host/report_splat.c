@@ -54,7 +54,7 @@ void report_splats(struct json *json, const struct freevoxel_file *file, const q
     report_frame(json, scene->background, frame);
     report_memory(json, file, frame, settings);
     json_object(json, "statistics");
-    json_unsigned(json, "voxels", drawn);
+    json_unsigned(json, "voxels_with_opacity", drawn);
     json_decimal(json, "seconds", frame->seconds);
     json_close(json);
 }

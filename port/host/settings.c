@@ -436,7 +436,7 @@ const struct option_spec option_specs[] = {
 
     {"splatting", 0, "HOW", "added: no leak; or over, the conventional one (added)", set_splatting,
      GROUP_SPLAT},
-    {"kernel", 0, "KERNEL", "linear or quadratic, 2 or 3 voxels wide (linear)", set_kernel,
+    {"kernel", 0, "KERNEL", "linear or quadratic, 2 or 3 voxels wide (quadratic)", set_kernel,
      GROUP_SPLAT},
     {"nearest", 0, NULL, "light of the nearest direction, as published; else between them",
      set_nearest, GROUP_SPLAT},

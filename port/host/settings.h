@@ -51,7 +51,7 @@ enum sequence_kind {
 enum table_kind { TABLE_NONE = 0, TABLE_OPACITY = 1, TABLE_COLOUR = 4 };
 enum container { CONTAINER_BY_ENDING, CONTAINER_PNG, CONTAINER_PAM, CONTAINER_RAW };
 enum splatting_kind { SPLATTING_ADDED, SPLATTING_OVER };
-enum kernel_kind { KERNEL_LINEAR, KERNEL_QUADRATIC };
+enum kernel_kind { KERNEL_QUADRATIC, KERNEL_LINEAR };
 
 /* Slices and the frame buffer that they are blended into. 0: not given. */
 struct slice_settings {

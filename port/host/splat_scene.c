@@ -65,7 +65,7 @@ void splat_scene_create(qv_splats *splats, struct view *view, const struct freev
     memset(&scene, 0, sizeof scene);
     view_create(view, volume, settings);
     scene.splatting = s->splatting == SPLATTING_OVER ? &qv_splatting_over : &qv_splatting_added;
-    scene.kernel = s->kernel == KERNEL_QUADRATIC ? &qv_kernel_quadratic : &qv_kernel_linear;
+    scene.kernel = s->kernel == KERNEL_LINEAR ? &qv_kernel_linear : &qv_kernel_quadratic;
     scene.domain = stored ? &qv_domain_stored : &qv_domain_extinction;
     scene.directions = file->header.directions;
     scene.field_of_view = view->field_of_view;

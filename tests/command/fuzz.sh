@@ -25,7 +25,7 @@ for command in "info $IN" "render $IN -o a.pam --shade --mask $IN --mask-tf fog 
     "render $IN -o a.raw --light 10,20,ff8000 --light 0,90,ffffff --storage indexed8 --json=a.json" \
     "freevoxel $IN -o a.fv --tf surface --order hilbert --json=a.json" "info a.fv" "info a.fv --json=a.json" \
     "splat a.fv -o a.raw --levels --perspective 60 --zoom 3 --light 10,20,ff8000 --threads 3 --json=a.json" \
-    "splat a.fv -o a.pam --kernel quadratic --part 2/3 --nearest" "splat a.fv -o a.pam --splatting over --level 1"; do
+    "splat a.fv -o a.pam --kernel linear --part 2/3 --nearest" "splat a.fv -o a.pam --splatting over --level 1"; do
     # shellcheck disable=SC2086
     check "no leak: $command" "$program" $command
 done
