@@ -108,7 +108,7 @@ static double worst_error(const uint8_t *lit, uint8_t nearest)
 {
     const ref_bytes of = {.volume = &s.volume,
                           .level = {bytes},
-                          .nearest = nearest != 0,
+                          .light = nearest ? REF_LIGHT_NEAREST : REF_LIGHT_DEPTHS,
                           .directions = attenuation.directions};
     double worst = 0;
     for (unsigned voxel = 0; voxel < VOXELS; voxel++) {
