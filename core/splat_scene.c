@@ -183,7 +183,8 @@ int qv_splat_eye(uint16_t position[3], const qv_splat_scene *scene)
 /* An orthographic viewer is in the same direction for all voxels. */
 static qv_status set_orthographic(qv_splats *splats)
 {
-    const qv_splat_scene *scene = &splats->scene;
+    qv_splat_scene *scene = &splats->scene;
+    scene->inside = 0; /* there is no eye that could be in the volume */
     int64_t world[3], v[3];
     int32_t scaled[3];
     for (unsigned axis = 0; axis < 3; axis++) /* Q.56, which voxels turn into Q.40 */

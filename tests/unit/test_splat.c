@@ -261,6 +261,28 @@ static void what_lies_in_front(void **state)
     }
 }
 
+/* The eye's bytes are not read where there is no eye, or where it lies outside of the volume. */
+static void inside_without_an_eye_inside(void **state)
+{
+    static splat_fixture f;
+    static const double fields[] = {0, 40};
+    uint8_t bytes[QV_DIRECTIONS];
+    (void)state;
+    memset(bytes, 100, sizeof bytes);
+    for (unsigned i = 0; i < 2; i++) {
+        qv_splats splats;
+        splat_begin(&f, 59, 90);
+        f.scene.field_of_view = splat_degrees(fields[i]);
+        splat_init(&splats, &f);
+        splat_draw(&f, &splats);
+        memcpy(copy, f.sums, sizeof copy);
+        f.scene.inside = bytes;
+        splat_init(&splats, &f);
+        splat_draw(&f, &splats);
+        expect_copy(&f);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -272,6 +294,7 @@ int main(void)
         cmocka_unit_test(full_sums),
         cmocka_unit_test(background),
         cmocka_unit_test(what_lies_in_front),
+        cmocka_unit_test(inside_without_an_eye_inside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
