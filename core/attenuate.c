@@ -1,5 +1,6 @@
 #include "attenuation.h"
 
+#include "block.h"
 #include "cell.h"
 #include "direction.h"
 #include "entry.h"
@@ -85,17 +86,6 @@ static void add_to_blocks(const bundle *b, const row *r, const pass *p)
     }
 }
 
-/* From the first voxel to that of a row, and from there to that of the next line. */
-static qv_offset find_offset(qv_offset *next, const row *r, const pass *p)
-{
-    const int32_t *stride = p->volume->stride;
-    qv_offset offset = 0;
-    for (unsigned axis = 0; axis < 3; axis++)
-        offset += (qv_offset)r->voxel[axis] * (qv_offset)stride[axis];
-    *next = p->step[p->beside] > 0 ? -(qv_offset)stride[p->beside] : (qv_offset)stride[p->beside];
-    return offset;
-}
-
 /* The light passes the row. Most voxels are empty. A line of 2^12 is less deep than 2^62 of
    Q32.32. What does not change is kept where the stores of bytes cannot reach it. */
 static void pass_voxels(bundle *b, const row *r, const pass *p)
@@ -103,9 +93,12 @@ static void pass_voxels(bundle *b, const row *r, const pass *p)
     const qv_volume *volume = p->volume;
     const qv_thickness thickness = p->thickness;
     const unsigned storage = volume->storage, end = r->end;
-    qv_offset next, offset = find_offset(&next, r, p);
+    const qv_address first = qv_voxel_at(volume, r->voxel);
+    qv_offset offset = 0, next = (qv_offset)volume->stride[p->beside];
+    if (p->step[p->beside] > 0)
+        next = -next;
     for (unsigned line = r->first; line < end; line++, offset += next) {
-        qv_address entry = qv_entry(qv_at(volume->voxels, offset), volume, storage);
+        qv_address entry = qv_entry(qv_at(first, offset), volume, storage);
         fx_unorm16 fourth = qv_entry_fourth(entry, storage);
         if (fourth == 0)
             continue;

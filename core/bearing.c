@@ -22,11 +22,11 @@ static uint32_t quotient(uint64_t n, uint32_t d)
 }
 
 void qv_compass_of(qv_compass *compass, const qv_volume *volume, uint32_t directions,
-                   uint8_t nearest)
+                   uint8_t interpolation)
 {
     uint32_t longest = qv_direction_length(volume->spacing, QV_DIRECTIONS - 1u);
     compass->directions = directions;
-    compass->nearest = nearest != 0;
+    compass->interpolation = interpolation;
     compass->any_length = !qv_storage_extinction(volume->storage) && volume->unit_distance == 0;
     for (unsigned axis = 0; axis < 3; axis++) /* shorter than the longest step */
         compass->side[axis] =
@@ -66,24 +66,12 @@ static uint32_t share_of(uint32_t part, uint32_t whole)
     return share < ONE_Q30 ? (uint32_t)share : ONE_Q30;
 }
 
-/* Gives a direction, that of v on the first `count` of the axes, a share of the bearing. */
-static qv_status add_direction(qv_bearing *bearing, const qv_compass *compass, const int32_t v[3],
-                               const unsigned axis[3], unsigned count, uint32_t share)
+/* The direction that goes as v does on the first `count` of the axes. */
+static void direction_of(int8_t step[3], const int32_t v[3], const unsigned axis[3], unsigned count)
 {
-    int8_t step[3] = {0, 0, 0};
-    bearing->slot[count - 1u] = 0;
-    bearing->weight[count - 1u] = 0;
-    if (share == 0)
-        return QV_OK;
+    step[0] = step[1] = step[2] = 0;
     for (unsigned i = 0; i < count; i++)
         step[axis[i]] = v[axis[i]] < 0 ? -1 : 1;
-    uint8_t direction = qv_direction(step[0], step[1], step[2]);
-    if ((compass->directions >> direction & 1u) == 0)
-        return QV_ERROR_DIRECTION;
-    bearing->slot[count - 1u] = qv_direction_slot(compass->directions, direction);
-    uint32_t inverse = compass->any_length ? QV_BEARING_ONE : compass->inverse[axes_of(step)];
-    bearing->weight[count - 1u] = (uint32_t)(fx_wide_product(share, inverse) >> 30);
-    return QV_OK;
 }
 
 /* Light along one direction alone. */
@@ -91,9 +79,28 @@ static void set_one(qv_bearing *bearing, uint8_t slot)
 {
     for (unsigned i = 0; i < 3; i++) {
         bearing->slot[i] = slot;
-        bearing->weight[i] = i == 0 ? QV_BEARING_ONE : 0;
+        bearing->share[i] = i == 0 ? ONE_Q30 : 0;
+        bearing->scale[i] = QV_BEARING_ONE;
     }
-    bearing->one = 1;
+    bearing->of_depths = 0;
+}
+
+/* What is read of a direction that has a share: scale is to the length of v's step. */
+static qv_status set_part(qv_bearing *bearing, unsigned part, const qv_compass *compass,
+                          const int8_t step[3], uint32_t length)
+{
+    uint8_t direction = qv_direction(step[0], step[1], step[2]);
+    if ((compass->directions >> direction & 1u) == 0)
+        return QV_ERROR_DIRECTION;
+    bearing->slot[part] = qv_direction_slot(compass->directions, direction);
+    if (!compass->any_length) {
+        uint32_t inverse = compass->inverse[axes_of(step)];
+        bearing->scale[part] = (uint32_t)(fx_wide_product(inverse, length) >> 31);
+    }
+    if (bearing->of_depths)
+        bearing->scale[part] =
+            (uint32_t)(fx_wide_product(bearing->scale[part], bearing->share[part]) >> 30);
+    return QV_OK;
 }
 
 /* Between three directions. Where one has all of the share, its byte says it all. */
@@ -101,26 +108,27 @@ static qv_status between(qv_bearing *bearing, uint32_t *length, const qv_compass
                          const int32_t v[3])
 {
     unsigned axis[3];
-    uint32_t share[4] = {ONE_Q30, 0, 0, 0}, way[3];
+    uint32_t part[4] = {ONE_Q30, 0, 0, 0}, way[3];
     sort_axes(axis, v);
     for (unsigned i = 1; i < 3; i++)
-        share[i] = share_of(magnitude(v[axis[i]]), magnitude(v[axis[0]]));
-    for (unsigned i = 0; i < 3; i++) /* share * side <= 2^30 * 2^31 */
-        way[i] = (uint32_t)(fx_wide_product(share[i], compass->side[axis[i]]) >> 30);
+        part[i] = share_of(magnitude(v[axis[i]]), magnitude(v[axis[0]]));
+    for (unsigned i = 0; i < 3; i++) /* part * side <= 2^30 * 2^31 */
+        way[i] = (uint32_t)(fx_wide_product(part[i], compass->side[axis[i]]) >> 30);
     *length = qv_length_of(way);
+    set_one(bearing, 0);
+    bearing->of_depths = compass->interpolation == QV_BETWEEN_DEPTHS;
     for (unsigned i = 0; i < 3; i++) {
-        uint32_t own = share[i] > share[i + 1u] ? share[i] - share[i + 1u] : 0;
-        qv_status status = add_direction(bearing, compass, v, axis, i + 1u, own);
+        int8_t step[3];
+        bearing->share[i] = part[i] - part[i + 1u]; /* parts fall, as magnitudes do */
+        if (bearing->share[i] == 0)
+            continue;
+        direction_of(step, v, axis, i + 1u);
+        qv_status status = set_part(bearing, i, compass, step, *length);
         if (status != QV_OK)
             return status;
-        if (own == ONE_Q30) {
+        if (bearing->share[i] == ONE_Q30)
             set_one(bearing, bearing->slot[i]);
-            return QV_OK;
-        }
     }
-    bearing->one = 0;
-    for (unsigned i = 0; !compass->any_length && i < 3; i++)
-        bearing->weight[i] = (uint32_t)(fx_wide_product(bearing->weight[i], *length) >> 31);
     return QV_OK;
 }
 
@@ -182,8 +190,8 @@ static qv_status nearest(qv_bearing *bearing, uint32_t *length, const qv_compass
 qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
                         const int32_t v[3])
 {
-    return compass->nearest ? nearest(bearing, length, compass, v)
-                            : between(bearing, length, compass, v);
+    return compass->interpolation == QV_NEAREST ? nearest(bearing, length, compass, v)
+                                                : between(bearing, length, compass, v);
 }
 
 /* Whether `sign` * v on one axis is more than `other_sign` * v on another, for some corner. */
@@ -252,34 +260,66 @@ static uint32_t depth_of(uint8_t byte)
     return byte == 0 ? QV_HIDDEN : fx_extinction_of_unorm16((fx_unorm16)(257u * (255u - byte)));
 }
 
-/* Sum of a bearing's depths, Q.43: weights are below 3 * 2^13 in all, depths at most 10. */
-static uint64_t depth_along(const qv_bearing *bearing, qv_address bytes)
+/* What is left of light, Q0.32: from Q1.31, of which 2^31 becomes 2^32 - 1. */
+static uint32_t clear_after(fx_depth depth)
 {
-    uint64_t depth = 0;
-    for (unsigned i = 0; i < 3; i++)
-        if (bearing->weight[i] != 0)
-            depth += fx_wide_product(bearing->weight[i],
-                                     depth_of(qv_read8(qv_at(bytes, bearing->slot[i]))));
-    return depth;
+    uint32_t clear = fx_transmittance(depth);
+    return (clear << 1) - (clear >> 31);
 }
 
-/* Whether all of the bytes that count are 0. */
-static int is_hidden(const qv_bearing *bearing, qv_address bytes)
+/* The depth of a part of a bearing, Q32.32: Q8.24 by Q13.19, at most 10 * 2^13. */
+static fx_depth depth_along(const qv_bearing *bearing, unsigned part, qv_address bytes)
 {
-    for (unsigned i = 0; i < 3; i++)
-        if (bearing->weight[i] != 0 && qv_read8(qv_at(bytes, bearing->slot[i])) != 0)
-            return 0;
-    return 1;
+    uint8_t byte = qv_read8(qv_at(bytes, bearing->slot[part]));
+    return fx_wide_product(bearing->scale[part], depth_of(byte)) >> 11;
 }
 
+/* Transmittance along a part of a bearing. A byte of 0 lets nothing through, whatever the scale;
+   of scale 1 any byte is what it says. */
+static uint32_t clear_along(const qv_bearing *bearing, unsigned part, qv_address bytes)
+{
+    uint8_t byte = qv_read8(qv_at(bytes, bearing->slot[part]));
+    if (byte == 0 || bearing->scale[part] == QV_BEARING_ONE)
+        return 0x01010101u * byte;
+    return clear_after(depth_along(bearing, part, bytes));
+}
+
+/* Between transmittances: shares sum to 2^30. */
+static uint32_t between_light(const qv_bearing *bearing, qv_address bytes)
+{
+    uint64_t clear = ONE_Q30 / 2u;
+    for (unsigned i = 0; i < 3; i++)
+        if (bearing->share[i] != 0)
+            clear += fx_wide_product(clear_along(bearing, i, bytes), bearing->share[i]);
+    return (uint32_t)(clear >> 30);
+}
+
+/* Between depths, whose scales are shares too; dark where all bytes are 0. */
+static uint32_t between_depths(const qv_bearing *bearing, qv_address bytes)
+{
+    fx_depth depth = 0;
+    int dark = 1;
+    for (unsigned i = 0; i < 3; i++) {
+        if (bearing->share[i] == 0)
+            continue;
+        depth += depth_along(bearing, i, bytes);
+        dark &= qv_read8(qv_at(bytes, bearing->slot[i])) == 0;
+    }
+    return dark ? 0 : clear_after(depth);
+}
+
+static uint32_t clear_of(const qv_bearing *bearing, qv_address bytes)
+{
+    return bearing->of_depths ? between_depths(bearing, bytes) : between_light(bearing, bytes);
+}
+
+/* A_B / A_V is a difference of depths, of which the nearer voxel's cannot be more. */
 uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside)
 {
-    if (bearing->one && !inside)
-        return 0x01010101u * qv_read8(qv_at(bytes, bearing->slot[0]));
-    if (is_hidden(bearing, bytes))
-        return 0;
-    uint64_t depth = depth_along(bearing, bytes);
-    uint64_t less = inside ? depth_along(bearing, inside) : 0;
-    uint32_t clear = fx_transmittance(depth > less ? (depth - less) >> 11 : 0);
-    return (clear << 1) - (clear >> 31); /* Q1.31 to Q0.32; 2^31 becomes 2^32 - 1 */
+    uint32_t clear = clear_of(bearing, bytes);
+    if (!inside || clear == 0)
+        return clear;
+    fx_depth depth = fx_depth_of_transmittance(clear);
+    fx_depth less = fx_depth_of_transmittance(clear_of(bearing, inside));
+    return clear_after(depth > less ? depth - less : 0);
 }

@@ -4,8 +4,9 @@
  * A vector v, in voxels, whose magnitudes on the axes are a >= b >= c, lies between three
  * directions: along the first axis, along the first two, along all three. As
  * v = (a - b) d1 + (b - c) d2 + c d3, a light that comes along v crosses a layer of voxels where
- * each of the three does. Depths per layer, that is depths D by the length L of a step, are
- * interpolated with these shares of a, and multiplied by the length of v's own step.
+ * each of the three does. Each direction's depth D belongs to steps of its own length L, and is
+ * scaled to the length of v's: in a homogeneous medium behind a face the three then agree. Their
+ * transmittances, or their depths, are interpolated with these shares of a.
  */
 #ifndef QV_BEARING_H
 #define QV_BEARING_H
@@ -14,7 +15,7 @@
 #include "access.h"
 #include "qvol.h"
 
-/* Unit of qv_bearing.weight, Q13.19. */
+/* Unit of qv_bearing.scale, Q13.19; of shares it is 2^30. */
 #define QV_BEARING_ONE 0x80000u
 
 /* Depth of a byte of 0 between others that are not, Q8.24: 10, a quarter of a byte's step. */
@@ -22,7 +23,7 @@
 
 /* Prepares what bearings in a volume of this spacing have in common. */
 void qv_compass_of(qv_compass *compass, const qv_volume *volume, uint32_t directions,
-                   uint8_t nearest);
+                   uint8_t interpolation);
 
 /*
  * The bearing of v, whose largest magnitude is 2^30 .. 2^31. Sets length to that of a step along it, as
@@ -38,9 +39,8 @@ uint32_t qv_bearing_reach(int32_t corner[4][3]);
 
 /*
  * Transmittance along a bearing for a voxel with these bytes, Q0.32 with 2^32 - 1 for 1. `inside`:
- * null, or the bytes of the voxel up to which light is followed (section 3.3: A_B / A_V). Of one
- * direction it is the byte itself; between three, within 2^-17; nothing
- * passes where all that count are 0.
+ * null, or the bytes of the voxel up to which light is followed (section 3.3: A_B / A_V, at most
+ * 1). Of one direction it is the byte itself; else within 2^-22, and inside 2^-22 / A_V.
  */
 uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside);
 

@@ -88,32 +88,34 @@ static int overlaps(const void *to, const pass *p, const qv_block *block)
 }
 
 /* Checks what is lit, and by what. */
-static qv_status prepare(pass *p, uint8_t nearest)
+static qv_status prepare(pass *p, uint8_t interpolation)
 {
     qv_status status = qv_volume_check(p->volume);
     if (status == QV_OK)
         status = qv_lighting_check(p->lighting);
     if (status != QV_OK || p->lighting->count == 0)
         return status;
+    if (interpolation > QV_BETWEEN_DEPTHS)
+        return QV_ERROR_DIRECTION;
     status = check_attenuation(p->attenuation, p->volume->size);
     if (status != QV_OK)
         return status;
     p->record = qv_attenuation_record(p->attenuation);
     qv_compass compass;
-    qv_compass_of(&compass, p->volume, p->attenuation->directions, nearest);
+    qv_compass_of(&compass, p->volume, p->attenuation->directions, interpolation);
     return qv_lighting_bearings(p->lamp, p->lighting, &compass, p->volume->spacing);
 }
 
 qv_status qv_illuminate(void *voxels, size_t bytes, const qv_volume *volume,
                         const qv_attenuation *attenuation, const qv_lighting *lighting,
-                        uint8_t nearest, const qv_block *block)
+                        uint8_t interpolation, const qv_block *block)
 {
     if (!voxels || !lighting || !block)
         return QV_ERROR_NULL;
     pass p = {.volume = volume,
               .attenuation = lighting->count != 0 ? attenuation : NULL,
               .lighting = lighting};
-    qv_status status = prepare(&p, nearest);
+    qv_status status = prepare(&p, interpolation);
     if (status != QV_OK)
         return status;
     if (!qv_block_valid(block, volume->size))

@@ -1184,6 +1184,17 @@ qv_status qv_attenuate_level(void *to, size_t bytes, const qv_attenuation *atten
 
 /* ---- Light from outside ------------------------------------------------------- */
 
+/*
+ * How light that comes from between the directions of the set is known. Either way the length of
+ * the way through a voxel is accounted for, where the volume has a unit distance.
+ */
+typedef enum qv_interpolation {
+    QV_BETWEEN_LIGHT = 0, /* between the transmittances of the three directions round it: best */
+    QV_NEAREST = 1,       /* by the nearest direction of the set, as published */
+    QV_BETWEEN_DEPTHS = 2 /* between the depths of the three, in the logarithm. A byte of 0 counts
+                             as a depth of 10; where all three are 0, nothing passes */
+} qv_interpolation;
+
 #define QV_LAMPS_MAX 4u
 
 /* A light far away, so that it falls on all voxels from one direction. */
@@ -1208,7 +1219,7 @@ typedef struct qv_lighting {
  * entries of the channels of the volume or of its palette, with lit colours. One pass over the
  * voxels, whatever the number of lamps. The volume's voxels may be overwritten where they are
  * such entries themselves and the block is all of it, tightly packed. attenuation is not read, and
- * may be null, where no lamp shines. `nearest` as in qv_splat_scene.
+ * may be null, where no lamp shines. interpolation is a qv_interpolation.
  * Colours are rounded to nearest; those of 8 bits are within .51 of exact for the bytes as they
  * are, those of 16 bits within 1.5. Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check,
  * _SIZE (also of the block, or the attenuation's is not the volume's), _DIRECTION (the set is empty
@@ -1218,7 +1229,7 @@ typedef struct qv_lighting {
  */
 qv_status qv_illuminate(void *voxels, size_t bytes, const qv_volume *volume,
                         const qv_attenuation *attenuation, const qv_lighting *lighting,
-                        uint8_t nearest, const qv_block *block);
+                        uint8_t interpolation, const qv_block *block);
 
 /* ---- Splatting ---------------------------------------------------------------- */
 
@@ -1270,8 +1281,7 @@ typedef struct qv_splat_scene {
                                 of a byte grows by 1 / A_V. Else not read */
     uint32_t directions;     /* set of the bytes of all voxels */
     qv_angle field_of_view;  /* as in qv_perspective; 0: orthographic */
-    uint8_t nearest;         /* 1: the bytes of the nearest direction of the set, as published; 0:
-                                between the three directions that surround the one wanted */
+    uint8_t interpolation;   /* a qv_interpolation */
     uint8_t level;           /* the finest level to draw, 0 .. 12 */
     uint8_t coarsest;        /* the coarsest, level .. 12 */
     uint8_t background[4];   /* R, G, B (unweighted) and opacity */
@@ -1285,12 +1295,12 @@ typedef struct qv_splat_scene {
 /* Directions of a volume, and what light from anywhere counts of a voxel's bytes; core/bearing.h. */
 typedef struct qv_compass {
     uint32_t directions, side[3], inverse[8];
-    uint8_t nearest, any_length;
+    uint8_t interpolation, any_length;
 } qv_compass;
 
 typedef struct qv_bearing {
-    uint32_t weight[3];
-    uint8_t slot[3], one;
+    uint32_t share[3], scale[3];
+    uint8_t slot[3], of_depths;
 } qv_bearing;
 
 /* A checked scene, ready to draw. Plain data: it may be copied, and holds no pointer into
@@ -1317,8 +1327,8 @@ int qv_splat_eye(uint16_t position[3], const qv_splat_scene *scene);
  * Returns QV_OK or QV_ERROR_NULL (also without `inside` where an eye lies in the volume), _STORAGE
  * (also the domain's), _SIZE, _PALETTE, _SPACING, _UNIT and _EXTINCTION (as qv_attenuate), _VIEW,
  * _LEVEL, _LIGHT, _DIRECTION (a set that is empty or has unknown bits, or lacks a direction that
- * the viewer or a lamp wants; where `nearest` is 1, the nearest is more than 60 degrees off),
- * _INSIDE (light may come to the eye by a direction whose byte in `inside` is 0).
+ * the viewer or a lamp wants; of QV_NEAREST, the nearest is more than 60 degrees off; an unknown
+ * interpolation), _INSIDE (light may come to the eye by a direction whose byte in `inside` is 0).
  */
 qv_status qv_splat_init(qv_splats *splats, const qv_splat_scene *scene);
 

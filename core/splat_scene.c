@@ -77,7 +77,9 @@ static qv_status check(const qv_splat_scene *scene)
         return status;
     if (scene->level > scene->coarsest || scene->coarsest > qv_pyramid_levels(scene->volume.size))
         return QV_ERROR_LEVEL;
-    return qv_directions_known(scene->directions) ? QV_OK : QV_ERROR_DIRECTION;
+    return qv_directions_known(scene->directions) && scene->interpolation <= QV_BETWEEN_DEPTHS
+               ? QV_OK
+               : QV_ERROR_DIRECTION;
 }
 
 /* ---- Geometry --------------------------------------------------------------- */
@@ -232,12 +234,12 @@ static qv_status check_reach(const qv_splats *splats, qv_coord distance)
     uint32_t length;
     for (unsigned i = 0; i < 4; i++) {
         corner_of(corner[i], scene, distance, i);
-        if (scene->nearest &&
+        if (scene->interpolation == QV_NEAREST &&
             qv_bearing_of(&bearing, &length, &splats->compass, corner[i]) != QV_OK)
             return QV_ERROR_DIRECTION;
     }
     uint32_t reach = qv_bearing_reach(corner);
-    if (!scene->nearest && (reach & ~splats->compass.directions) != 0)
+    if (scene->interpolation != QV_NEAREST && (reach & ~splats->compass.directions) != 0)
         return QV_ERROR_DIRECTION;
     reach &= scene->directions;
     for (uint8_t direction = 0; scene->inside && direction < QV_DIRECTIONS; direction++) {
@@ -277,7 +279,7 @@ static qv_status set_light(qv_splats *splats)
         return status;
     splats->factor = thickness.factor;
     splats->shift = thickness.shift;
-    qv_compass_of(&splats->compass, &scene->volume, scene->directions, scene->nearest);
+    qv_compass_of(&splats->compass, &scene->volume, scene->directions, scene->interpolation);
     status = qv_lighting_bearings(splats->lamp, &scene->lighting, &splats->compass,
                                   scene->volume.spacing);
     if (!scene->splatting->attenuated)

@@ -80,7 +80,7 @@ PAPER_PROGRAMS := $(addprefix $(TEST_OUT)/papers/,wittenbrink kraus dithering fr
 paper_objects = $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/papers/*.c tests/papers/$(1)/*.c))
 
 .PHONY: paper-programs
-paper-programs: $(PAPER_PROGRAMS) $(QVOL)
+paper-programs: $(PAPER_PROGRAMS) $(TEST_OUT)/accuracy/splat_directions $(QVOL)
 
 $(TEST_OUT)/papers/wittenbrink: $(call paper_objects,wittenbrink)
 $(TEST_OUT)/papers/kraus: $(call paper_objects,kraus)

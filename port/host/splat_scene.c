@@ -69,7 +69,7 @@ void splat_scene_create(qv_splats *splats, struct view *view, const struct freev
     scene.domain = stored ? &qv_domain_stored : &qv_domain_extinction;
     scene.directions = file->header.directions;
     scene.field_of_view = view->field_of_view;
-    scene.nearest = s->nearest;
+    scene.interpolation = s->nearest;
     scene.view = view->view;
     scene.volume = *volume;
     memcpy(scene.background, settings->background, sizeof scene.background);

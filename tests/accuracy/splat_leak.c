@@ -100,7 +100,7 @@ static void pixel_make(pixel *made, const columns *of, const qv_splatting *splat
     scene.kernel = &qv_kernel_linear;
     scene.domain = attenuated_domain(&of->volume);
     scene.directions = (uint32_t)1 << to_viewer();
-    scene.nearest = of->volume.unit_distance == 0;
+    scene.interpolation = of->volume.unit_distance == 0;
     scene.view.pitch = pitch;
     scene.view.step = QV_ONE_Q16;
     scene.view.width = 1;

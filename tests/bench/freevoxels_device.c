@@ -136,7 +136,7 @@ static qv_status start(const subject *s)
         .domain = &qv_domain_extinction,
         .directions = QV_DIRECTIONS_ALL,
         .field_of_view = s->field_of_view,
-        .nearest = s->nearest,
+        .interpolation = s->nearest,
         .lighting = {.lamps = {{{-4, -3, 5}, {65535, 65535, 65535}}}, .count = s->lamps},
         .view = {.pitch = s->pitch, .width = s->frame, .height = s->frame},
         .volume = volume};

@@ -131,7 +131,7 @@ static void describe(qv_splat_scene *scene, const frame *f)
                               .domain = domain_of(&f->volume[0]),
                               .directions = splats->directions,
                               .field_of_view = golden->field_of_view,
-                              .nearest = splats->nearest,
+                              .interpolation = splats->nearest,
                               .level = splats->level,
                               .coarsest = splats->coarsest,
                               .detail = splats->detail,

@@ -214,7 +214,7 @@ dithering() {
 
 # ---- FreeVoxels ---------------------------------------------------------------------
 
-# How each row of figure 6 is called: layers, opacity, gain of the error.
+# The program's index has a line for each row: layers, opacity, what errors are multiplied by.
 leak_sheet() {
     set --
     while read -r layers opacity gain; do
@@ -226,10 +226,44 @@ leak_sheet() {
     sheet figure6 "Figure 6: uniform voxels, 14 pixels wide, linear kernel" 4 "$@"
 }
 
+level_sheet() {
+    set --
+    for subject in skin glass; do
+        for way in geometric rebuilt; do
+            for level in 0 1 2 3 4 5; do
+                set -- "$@" "$subject-$way-$level" "$subject, $way: level $level"
+            done
+        done
+    done
+    sheet levels "Section 3.2: levels with light by the geometric mean, and built anew on each" 6 "$@"
+}
+
+# Views from all over the sphere, by the program that tests them; a minute for 500.
+between_directions() {
+    QV_VIEWS=${QV_VIEWS:-500} "$BUILD/tests/accuracy/splat_directions" >"$folder/data/directions.tap" ||
+        [ -s "$folder/data/directions.tap" ]
+    {
+        printf '\n## Between the 26 directions: views of the whole sphere, in levels\n\n'
+        echo "| volume | against | nearest: RMS, worst | nearest for light | between | between bytes | times |"
+        echo "|---|---|---|---|---|---|---|"
+        sed -n 's/^# \(.*|.*|.*|.*|.*|.*[0-9]\)$/| \1 |/p' "$folder/data/directions.tap"
+    } >>"$folder/table.md"
+    awk -F'[ |]+' '/[|] exact splats [|]/ { print $2, $5, $7, $9, $11 }' \
+        "$folder/data/directions.tap" >"$folder/data/directions.dat"
+    plot directions
+}
+
 freevoxels() {
     plot figure2
     leak_sheet
+    sheet figure7 "Figure 7: a head in red light, which its voxels' bytes let through" 2 \
+        head-unlit-splats "splats, unlit" head-lit-splats "splats, lit: shadows of brow, ear and nose" \
+        head-unlit-rays "ray casting, unlit" head-lit-rays "ray casting of lit voxels"
+    plot nodes
+    level_sheet
+    plot hierarchy
     plot inside
+    between_directions
 }
 
 [ $# -gt 0 ] || set -- wittenbrink kraus dithering freevoxels

@@ -181,14 +181,22 @@ static void depths_around(double depth[3], const ref_surrounding *around, const 
     }
 }
 
-/* The mean of the bytes, by their shares. */
-static double depth_of_mean(const ref_surrounding *around, const uint8_t *bytes)
+/* The mean of what the bytes let through, each raised to the length of v's step, by their shares. */
+static double depth_of_mean(const qv_volume *volume, const ref_surrounding *around,
+                            const uint8_t *bytes, const double v[3])
 {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
-        sum += around->weight[i] * bytes[around->direction[i]];
+        int step[3];
+        ref_direction_step(step, around->direction[i]);
+        const double along[3] = {step[0], step[1], step[2]};
+        const double scale =
+            is_by_step(volume) ? 1 : ref_step_length(volume, v) / ref_step_length(volume, along);
+        const uint8_t byte = bytes[around->direction[i]];
+        sum +=
+            around->weight[i] > 0 && byte != 0 ? around->weight[i] * pow(byte / 255.0, scale) : 0;
     }
-    return sum > 0 ? -log2(sum / 255) : HUGE_VAL;
+    return sum > 0 ? -log2(sum) : HUGE_VAL;
 }
 
 double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const double v[3])
@@ -202,8 +210,8 @@ double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const 
         return byte_depth(of[ref_nearest_direction(volume, bytes->directions, v)]);
     }
     ref_surround(&around, v);
-    if (bytes->light == REF_LIGHT_BYTES) {
-        return depth_of_mean(&around, of);
+    if (bytes->light == REF_LIGHT_BETWEEN) {
+        return depth_of_mean(volume, &around, of, v);
     }
     depths_around(depth, &around, of);
     return interpolate(volume, &around, depth, v);

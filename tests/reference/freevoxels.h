@@ -36,9 +36,9 @@ int ref_nearest_direction(const qv_volume *volume, uint32_t directions, const do
 
 #define REF_LEVELS 13 /* 0 .. 12 */
 
-/* How light is told from bytes: by the one of the nearest direction of a set; from depths between
-   three of all 26, as the library does; from the bytes of those three themselves. */
-typedef enum ref_light { REF_LIGHT_DEPTHS, REF_LIGHT_NEAREST, REF_LIGHT_BYTES } ref_light;
+/* How light is told from bytes: between the three directions of all 26 round it, by what they let
+   through or by their depths; or by the nearest of a set. */
+typedef enum ref_light { REF_LIGHT_BETWEEN, REF_LIGHT_NEAREST, REF_LIGHT_DEPTHS } ref_light;
 
 /* All 26 bytes of the voxels of each level, x fastest. */
 typedef struct ref_bytes {

@@ -104,9 +104,11 @@ qv_status seeded_splats_make(seeded_splats *made, uint32_t seed, qv_storage stor
     scene->kernel = draw_once_in(&random, 2) ? &qv_kernel_linear : &qv_kernel_quadratic;
     scene->domain =
         ref_holds_extinction(scene->volume.storage) ? &qv_domain_stored : &qv_domain_extinction;
-    scene->nearest = draw_once_in(&random, 4);
+    scene->interpolation = draw_once_in(&random, 4)   ? QV_NEAREST
+                           : draw_once_in(&random, 4) ? QV_BETWEEN_DEPTHS
+                                                      : QV_BETWEEN_LIGHT;
     scene->directions = draw_directions(&random);
-    if (!scene->nearest) {
+    if (scene->interpolation != QV_NEAREST) {
         scene->directions = QV_DIRECTIONS_ALL;
     }
     memcpy(scene->background, made->drawn.scene.background, sizeof scene->background);

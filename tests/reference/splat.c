@@ -201,11 +201,11 @@ static void way_of_light(double v[3], const ref_splats *splats, const double tow
     const qv_splat_scene *scene = splats->scene;
     const uint32_t directions = splats->over ? QV_DIRECTIONS_ALL : scene->directions;
     int step[3];
-    if (scene->nearest) {
+    if (scene->interpolation == QV_NEAREST) {
         ref_direction_step(step, ref_nearest_direction(&splats->levels[0], directions, toward));
     }
     for (int axis = 0; axis < 3; axis++) {
-        v[axis] = scene->nearest ? step[axis] : toward[axis];
+        v[axis] = scene->interpolation == QV_NEAREST ? step[axis] : toward[axis];
     }
 }
 

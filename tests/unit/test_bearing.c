@@ -48,48 +48,76 @@ static void random_vector(int32_t v[3], uint32_t *random)
     }
 }
 
-/* Depths, in units of QV_BEARING_ONE, that the model gives to direction d for v. */
-static double model_weight(const qv_volume *volume, const int32_t v[3], uint8_t d, int any_length)
+/* The share of direction d in v. */
+static double model_share(const int32_t v[3], uint8_t d)
 {
     int8_t step[3];
-    double way[3], largest = 0, least_on = INFINITY, most_off = 0, own[3];
+    double largest = 0, least_on = INFINITY, most_off = 0;
+    qv_direction_step(step, d);
+    for (unsigned axis = 0; axis < 3; axis++)
+        largest = fmax(largest, fabs((double)v[axis]));
+    for (unsigned axis = 0; axis < 3; axis++) {
+        if (step[axis] == 0)
+            most_off = fmax(most_off, fabs(v[axis] / largest));
+        else
+            least_on = fmin(least_on, v[axis] / largest * step[axis]);
+    }
+    return fmax(0, least_on - most_off);
+}
+
+/* Length of v's step by that of direction d. */
+static double model_scale(const qv_volume *volume, const int32_t v[3], uint8_t d)
+{
+    int8_t step[3];
+    double way[3], largest = 0, own[3];
+    if (volume->unit_distance == 0)
+        return 1;
     qv_direction_step(step, d);
     for (unsigned axis = 0; axis < 3; axis++)
         largest = fmax(largest, fabs((double)v[axis]));
     for (unsigned axis = 0; axis < 3; axis++) {
         way[axis] = v[axis] / largest;
         own[axis] = step[axis];
-        if (step[axis] == 0)
-            most_off = fmax(most_off, fabs(way[axis]));
-        else
-            least_on = fmin(least_on, way[axis] * step[axis]);
     }
-    const double share = fmax(0, least_on - most_off);
-    return any_length ? share : share * length_of(volume, way) / length_of(volume, own);
+    return length_of(volume, way) / length_of(volume, own);
 }
 
-static void check_vector(const qv_volume *volume, const int32_t v[3])
+static void check_parts(const qv_volume *volume, const qv_bearing *bearing, const int32_t v[3])
+{
+    uint32_t whole = 0;
+    for (unsigned i = 0; i < 3; i++)
+        whole += bearing->share[i];
+    assert_int_equal(whole, 1u << 30);
+    for (uint8_t d = 0; d < QV_DIRECTIONS; d++) {
+        const double exact = model_share(v, d), by = model_scale(volume, v, d);
+        double share = 0, scale = by;
+        for (unsigned i = 0; i < 3; i++)
+            if (bearing->share[i] != 0 && bearing->slot[i] == d) {
+                share = ldexp(bearing->share[i], -30);
+                scale = (double)bearing->scale[i] / QV_BEARING_ONE;
+            }
+        const double expected = bearing->of_depths && share != 0 ? exact * by : by;
+        assert_true(fabs(share - exact) <= ldexp(1, -18));
+        assert_true(fabs(scale - expected) <= ldexp(1 + by, -16));
+    }
+}
+
+static void check_vector(const qv_volume *volume, const int32_t v[3], uint8_t interpolation)
 {
     qv_compass compass;
     qv_bearing bearing;
     uint32_t length;
     double way[3], longest[3] = {1, 1, 1}, largest = 0;
-    qv_compass_of(&compass, volume, QV_DIRECTIONS_ALL, 0);
+    qv_compass_of(&compass, volume, QV_DIRECTIONS_ALL, interpolation);
     assert_int_equal(qv_bearing_of(&bearing, &length, &compass, v), QV_OK);
+    assert_int_equal(bearing.of_depths, interpolation == QV_BETWEEN_DEPTHS);
     for (unsigned axis = 0; axis < 3; axis++)
         largest = fmax(largest, fabs((double)v[axis]));
     for (unsigned axis = 0; axis < 3; axis++)
         way[axis] = v[axis] / largest;
     const double exact = length_of(volume, way) / length_of(volume, longest);
     assert_true(fabs(length * ldexp(1, -31) / exact - 1) < ldexp(1, -16));
-    for (uint8_t d = 0; d < QV_DIRECTIONS; d++) {
-        double weight = 0;
-        for (unsigned i = 0; i < 3; i++)
-            if (bearing.slot[i] == d)
-                weight += (double)bearing.weight[i] / QV_BEARING_ONE;
-        const double model = model_weight(volume, v, d, volume->unit_distance == 0);
-        assert_true(fabs(weight - model) <= ldexp(3 + model, -17));
-    }
+    check_parts(volume, &bearing, v);
 }
 
 static void shares_between_three(void **state)
@@ -100,7 +128,7 @@ static void shares_between_three(void **state)
         const qv_volume volume = volume_of(spacings[i % SPACINGS], (i / 7) % 2 * 65536u);
         int32_t v[3];
         random_vector(v, &random);
-        check_vector(&volume, v);
+        check_vector(&volume, v, i % 2 == 0 ? QV_BETWEEN_LIGHT : QV_BETWEEN_DEPTHS);
     }
 }
 
@@ -121,9 +149,9 @@ static void along_one_direction(void **state)
             qv_direction_step(step, d);
             for (unsigned axis = 0; axis < 3; axis++)
                 v[axis] = step[axis] * sizes[s % 3];
-            qv_compass_of(&compass, &volume, (uint32_t)1 << d, (uint8_t)(s % 2));
+            qv_compass_of(&compass, &volume, (uint32_t)1 << d, (uint8_t)(s % 3));
             assert_int_equal(qv_bearing_of(&bearing, &length, &compass, v), QV_OK);
-            assert_true(bearing.one && bearing.slot[0] == 0);
+            assert_true(bearing.share[0] == 1u << 30 && bearing.slot[0] == 0);
             for (unsigned byte = 0; byte < 256; byte++) {
                 bytes[0] = (uint8_t)byte;
                 assert_int_equal(qv_bearing_transmittance(&bearing, bytes, 0), byte * 0x01010101u);
@@ -166,7 +194,7 @@ static void nearest_directions(void **state)
         if (set == 0)
             continue;
         random_vector(v, &random);
-        qv_compass_of(&compass, &volume, set, 1);
+        qv_compass_of(&compass, &volume, set, QV_NEAREST);
         const qv_status status = qv_bearing_of(&bearing, &length, &compass, v);
         for (uint8_t d = 0; d < QV_DIRECTIONS; d++) {
             int8_t step[3];
@@ -194,35 +222,51 @@ static void nearest_directions(void **state)
     assert_true(refused > 100);
 }
 
-/* Between directions depths add up; a byte of 0 counts as a depth of 10, but if all are, nothing
-   passes. Inside, those of the
-   voxel that light is followed to are taken away. */
+/* What the bytes at three slots are to let through. */
+static double model_light(const qv_bearing *bearing, const uint8_t *bytes)
+{
+    double depth = 0, light = 0;
+    int seen = 0;
+    for (unsigned k = 0; k < 3; k++) {
+        const uint8_t byte = bytes[bearing->slot[k]];
+        const double scale = (double)bearing->scale[k] / QV_BEARING_ONE;
+        const double own = scale * (byte == 0 ? 10 : -log2(byte / 255.));
+        seen |= byte != 0;
+        depth += own;
+        light += byte == 0 ? 0 : exp2(-own) * ldexp(bearing->share[k], -30);
+    }
+    if (!bearing->of_depths)
+        return light;
+    return seen ? exp2(-depth) : 0;
+}
+
+/* Transmittances are interpolated, or depths: of these a byte of 0 counts as 10, but if all are,
+   nothing passes. Inside, what passes is part of what does for the voxel that light is followed
+   to. */
 static void transmittance_between(void **state)
 {
     uint32_t random = 33;
     (void)state;
-    for (unsigned i = 0; i < 40000; i++) {
-        qv_bearing bearing = {{0, 0, 0}, {2, 5, 9}, 0};
+    for (unsigned i = 0; i < 60000; i++) {
+        const uint32_t first = random_below(&random, 1u << 29),
+                       second = random_below(&random, 1u << 29);
+        qv_bearing bearing = {
+            {first, second, (1u << 30) - first - second}, {0, 0, 0}, {2, 5, 9}, (uint8_t)(i % 2)};
         uint8_t bytes[10], inside[10];
-        double depth = 0;
-        int seen = 0;
         for (unsigned k = 0; k < 10; k++) {
             bytes[k] = (uint8_t)(i % 5 == 0 ? i / 5 % 2 : random_next(&random) >> 3);
             inside[k] = (uint8_t)(random_next(&random) >> 5);
         }
-        const int within = i % 3 == 0;
-        bearing.one = (uint8_t)(within && i % 2);
-        for (unsigned k = 0; k < 3; k++) {
-            const uint8_t byte = bytes[bearing.slot[k]], other = inside[bearing.slot[k]];
-            bearing.weight[k] = random_below(&random, QV_BEARING_ONE);
-            seen |= byte != 0;
-            double own = byte == 0 ? 10 : -log2(byte / 255.);
-            own -= !within ? 0 : other == 0 ? 10 : -log2(other / 255.);
-            depth += own * bearing.weight[k] / QV_BEARING_ONE;
-        }
-        const double clear =
-            ldexp(qv_bearing_transmittance(&bearing, bytes, within ? inside : 0), -32);
-        assert_true(fabs(clear - (seen ? exp2(-fmax(0, depth)) : 0)) < ldexp(1, -22));
+        for (unsigned k = 0; k < 3; k++)
+            bearing.scale[k] =
+                i % 7 == 0 ? QV_BEARING_ONE : random_below(&random, 2 * QV_BEARING_ONE);
+        const double outside = model_light(&bearing, bytes), whole = model_light(&bearing, inside);
+        const double clear = ldexp(qv_bearing_transmittance(&bearing, bytes, NULL), -32);
+        assert_true(fabs(clear - outside) < ldexp(1, -22));
+        if (whole < ldexp(1, -9))
+            continue;
+        const double within = ldexp(qv_bearing_transmittance(&bearing, bytes, inside), -32);
+        assert_true(fabs(within - fmin(1, outside / whole)) < ldexp(1, -22) / whole);
     }
 }
 
@@ -249,9 +293,8 @@ static void reach_of_corners(void **state)
             if (sum[0] == 0 && sum[1] == 0 && sum[2] == 0)
                 continue;
             (void)qv_bearing_scale(v, sum);
-            const qv_volume volume = volume_of(spacings[0], 65536);
             for (uint8_t d = 0; d < QV_DIRECTIONS; d++)
-                if (model_weight(&volume, v, d, 1) > 1e-8)
+                if (model_share(v, d) > 1e-8)
                     assert_true((reach >> d & 1u) != 0);
         }
     }

@@ -62,9 +62,9 @@ static void random_lighting(unsigned count, unsigned brightest, uint32_t *seed)
     }
 }
 
-static qv_status light(void *lit, uint8_t nearest)
+static qv_status light(void *lit, uint8_t interpolation)
 {
-    return qv_illuminate(lit, LIT_BYTES, &s.volume, &attenuation, &lighting, nearest, &whole);
+    return qv_illuminate(lit, LIT_BYTES, &s.volume, &attenuation, &lighting, interpolation, &whole);
 }
 
 /* A channel of a lit voxel, and the same voxel's in the volume. */
@@ -104,11 +104,11 @@ static double exact_light(const ref_bytes *of, const int32_t at[3], unsigned cha
 }
 
 /* The largest error of a colour, in its last place; opacities must be the same. */
-static double worst_error(const uint8_t *lit, uint8_t nearest)
+static double worst_error(const uint8_t *lit, uint8_t interpolation)
 {
     const ref_bytes of = {.volume = &s.volume,
                           .level = {bytes},
-                          .nearest = nearest != 0,
+                          .light = (ref_light)interpolation,
                           .directions = attenuation.directions};
     double worst = 0;
     for (unsigned voxel = 0; voxel < VOXELS; voxel++) {
@@ -122,7 +122,7 @@ static double worst_error(const uint8_t *lit, uint8_t nearest)
     return worst;
 }
 
-static double worst_of_scenes(uint8_t storage, uint8_t nearest)
+static double worst_of_scenes(uint8_t storage, uint8_t interpolation)
 {
     double worst = 0;
     uint32_t seed = 1u + storage;
@@ -133,8 +133,8 @@ static double worst_of_scenes(uint8_t storage, uint8_t nearest)
         for (unsigned axis = 0; scene % 4 != 0 && axis < 3; axis++)
             s.volume.spacing[axis] = QV_ONE_Q16 / 2 + random_below(&seed, QV_ONE_Q16);
         random_lighting(scene % 5, scene % 2 == 0 ? 65535 : 20000, &seed);
-        assert_int_equal(light(lit, nearest), QV_OK);
-        worst = fmax(worst, worst_error(lit, nearest));
+        assert_int_equal(light(lit, interpolation), QV_OK);
+        worst = fmax(worst, worst_error(lit, interpolation));
     }
     return worst;
 }
@@ -143,9 +143,10 @@ static void lit_as_in_real_arithmetic(void **state)
 {
     (void)state;
     for (unsigned i = 0; i < SOURCE_STORAGES; i++)
-        for (uint8_t nearest = 0; nearest < 2; nearest++) {
-            const double worst = worst_of_scenes(source_storages[i], nearest);
-            printf("# storage %u, nearest %u: worst %.4f\n", source_storages[i], nearest, worst);
+        for (uint8_t interpolation = 0; interpolation <= QV_BETWEEN_DEPTHS; interpolation++) {
+            const double worst = worst_of_scenes(source_storages[i], interpolation);
+            printf("# storage %u, interpolation %u: worst %.4f\n", source_storages[i],
+                   interpolation, worst);
             assert_true(worst <= (source_is_wide(source_storages[i]) ? 1.5 : .51));
         }
 }
@@ -326,11 +327,12 @@ static void a_voxel_throws_a_shadow(void **state)
 static uint8_t untouched[LIT_BYTES];
 
 /* A call that is refused writes nothing. */
-static void refuse(uint8_t nearest, const qv_block *block, size_t room, qv_status status)
+static void refuse(uint8_t interpolation, const qv_block *block, size_t room, qv_status status)
 {
     memset(untouched, 0xA5, sizeof untouched);
     assert_int_equal(
-        qv_illuminate(untouched, room, &s.volume, &attenuation, &lighting, nearest, block), status);
+        qv_illuminate(untouched, room, &s.volume, &attenuation, &lighting, interpolation, block),
+        status);
     for (unsigned i = 0; i < sizeof untouched; i++)
         assert_int_equal(untouched[i], 0xA5);
 }

@@ -52,11 +52,11 @@ typedef struct example {
     int32_t v[3];
     uint32_t length;
     uint8_t slot[3];
-    uint32_t weight[3];
+    uint32_t share[3], scale[3];
     uint32_t clear, inside;
 } example;
 
-static void expect_bearing(const example *e, uint8_t nearest)
+static void expect_bearing(const example *e, uint8_t interpolation)
 {
     const qv_volume volume = volume_of_examples();
     uint8_t of_eye[QV_DIRECTIONS];
@@ -64,62 +64,91 @@ static void expect_bearing(const example *e, uint8_t nearest)
     qv_bearing bearing;
     uint32_t length;
     memset(of_eye, 240, sizeof of_eye);
-    qv_compass_of(&compass, &volume, QV_DIRECTIONS_ALL, nearest);
+    qv_compass_of(&compass, &volume, QV_DIRECTIONS_ALL, interpolation);
     assert_int_equal(qv_bearing_of(&bearing, &length, &compass, e->v), QV_OK);
     assert_int_equal(length, e->length);
     for (unsigned i = 0; i < 3; i++) {
-        assert_int_equal(bearing.weight[i], e->weight[i]);
-        if (e->weight[i] != 0)
-            assert_int_equal(bearing.slot[i], e->slot[i]);
+        assert_int_equal(bearing.share[i], e->share[i]);
+        if (e->share[i] == 0)
+            continue;
+        assert_int_equal(bearing.scale[i], e->scale[i]);
+        assert_int_equal(bearing.slot[i], e->slot[i]);
     }
     assert_int_equal(qv_bearing_transmittance(&bearing, bytes, NULL), e->clear);
     assert_int_equal(qv_bearing_transmittance(&bearing, bytes, of_eye), e->inside);
 }
 
-static void S111_bearings(void **state)
+static void S111_sides(void **state)
 {
     static const uint32_t side[3] = {838291790, 1047864738, 1676583581};
     static const uint32_t inverse[8] = {0,      1343088, 1074470, 839020,
                                         671544, 600647,  569468,  524287};
-    static const example between[] = {
-        {{0x40000000, -0x30000000, 0x12345678},
-         1244104883,
-         {13, 11, 19},
-         {194523, 226292, 86395},
-         0x8950B960u,
-         0x919C15C6u},
-        {{-0x20000000, -0x60000000, 0x60000000},
-         1996755980,
-         {0, 18, 17},
-         {0, 352998, 162495},
-         0x61B74074u,
-         0x67B7B048u},
-        {{0, 0, 0x7FFFFFFF}, 1676583581, {21, 0, 0}, {524288, 0, 0}, 0x42424242u, 0x46666656u}};
-    static const example nearest[] = {
-        {{0x40000000, -0x30000000, 0x12345678},
-         1341921620,
-         {11, 0, 0},
-         {524288, 0, 0},
-         0x9C9C9C9Cu,
-         0xA6666648u},
-        {{-0x20000000, -0x60000000, 0x60000000},
-         1977107233,
-         {18, 0, 0},
-         {524288, 0, 0},
-         0x5D5D5D5Du,
-         0x63333316u},
-        {{0, 0, 0x7FFFFFFF}, 1676583581, {21, 0, 0}, {524288, 0, 0}, 0x42424242u, 0x46666656u}};
     const qv_volume volume = volume_of_examples();
     qv_compass compass;
     (void)state;
-    qv_compass_of(&compass, &volume, QV_DIRECTIONS_ALL, 0);
+    qv_compass_of(&compass, &volume, QV_DIRECTIONS_ALL, QV_BETWEEN_LIGHT);
     assert_memory_equal(compass.side, side, sizeof side);
     for (unsigned axes = 1; axes < 8; axes++)
         assert_int_equal(compass.inverse[axes], inverse[axes]);
-    for (unsigned i = 0; i < 3; i++) {
-        expect_bearing(&between[i], 0);
-        expect_bearing(&nearest[i], 1);
+}
+
+#define OBLIQUE                                                                                    \
+    {                                                                                              \
+        0x40000000, -0x30000000, 0x12345678                                                        \
     }
+#define EDGE                                                                                       \
+    {                                                                                              \
+        -0x20000000, -0x60000000, 0x60000000                                                       \
+    }
+#define ONE                                                                                        \
+    {1u << 30, 0, 0},                                                                              \
+    {                                                                                              \
+        1u << 19, 0, 0                                                                             \
+    }
+
+static void S111_bearings(void **state)
+{
+    static const example light[] = {{OBLIQUE,
+                                     1244104883,
+                                     {13, 11, 19},
+                                     {268436137, 499886050, 305419637},
+                                     {778093, 486070, 303735},
+                                     0x8B91B7D7u,
+                                     0x93F8488Au},
+                                    {EDGE,
+                                     1996755980,
+                                     {0, 18, 17},
+                                     {0, 715827946, 357913878},
+                                     {0, 529498, 487488},
+                                     0x6205EA94u,
+                                     0x680B1EB8u}};
+    static const example depths[] = {{OBLIQUE,
+                                      1244104883,
+                                      {13, 11, 19},
+                                      {268436137, 499886050, 305419637},
+                                      {194523, 226292, 86395},
+                                      0x8950B960u,
+                                      0x919C15C6u},
+                                     {EDGE,
+                                      1996755980,
+                                      {0, 18, 17},
+                                      {0, 715827946, 357913878},
+                                      {0, 352998, 162495},
+                                      0x61B74074u,
+                                      0x67B7B040u}};
+    static const example nearest[] = {
+        {OBLIQUE, 1341921620, {11, 0, 0}, ONE, 0x9C9C9C9Cu, 0xA6666662u},
+        {EDGE, 1977107233, {18, 0, 0}, ONE, 0x5D5D5D5Du, 0x6333332Cu}};
+    static const example along_z = {{0, 0, 0x7FFFFFFF}, 1676583581, {21, 0, 0}, ONE,
+                                    0x42424242u,        0x46666662u};
+    (void)state;
+    for (unsigned i = 0; i < 2; i++) {
+        expect_bearing(&light[i], QV_BETWEEN_LIGHT);
+        expect_bearing(&depths[i], QV_BETWEEN_DEPTHS);
+        expect_bearing(&nearest[i], QV_NEAREST);
+    }
+    for (uint8_t way = QV_BETWEEN_LIGHT; way <= QV_BETWEEN_DEPTHS; way++)
+        expect_bearing(&along_z, way);
 }
 
 /* ---- Footprints ------------------------------------------------------------- */
@@ -192,7 +221,7 @@ static void expect_pixel(const qv_splatting *splatting, qv_angle field, unsigned
 }
 
 static void expect_sight(qv_angle field, const int64_t place[2], const uint32_t numbers[4],
-                         const uint32_t weight[3])
+                         const uint32_t scale[3])
 {
     static const uint8_t slot[3] = {10, 11, 19};
     const uint16_t position[3] = {1, 2, 3};
@@ -213,7 +242,7 @@ static void expect_sight(qv_angle field, const int64_t place[2], const uint32_t 
     assert_true(sight.width == numbers[0] && sight.height == numbers[1]);
     assert_true(sight.gain == numbers[2] && sight.length == numbers[3]);
     assert_memory_equal(sight.viewer.slot, slot, sizeof slot);
-    assert_memory_equal(sight.viewer.weight, weight, 3 * sizeof *weight);
+    assert_memory_equal(sight.viewer.scale, scale, 3 * sizeof *scale);
     if (field != 0)
         assert_true(splats.eye[0] == 672360 && splats.eye[1] == -1298578 &&
                     splats.eye[2] == 174740);
@@ -224,17 +253,17 @@ static void S113_splats(void **state)
     static const int64_t places[2][2] = {{366775, 367591}, {365007, 367692}};
     static const uint32_t numbers[2][4] = {{111698, 212163, 942974070, 1156420917},
                                            {113281, 215170, 908074862, 1205332831}};
-    static const uint32_t weights[2][3] = {{279020, 173135, 37990}, {210120, 240109, 41702}};
-    static const uint32_t added[2][4] = {{1664058, 502754, 112405, 3756468},
-                                         {1603314, 484402, 108301, 3619344}};
-    static const uint32_t over[2][4] = {{4949521, 6940656, 9739044, 16711680},
-                                        {4938338, 6962093, 9781147, 16711680}};
-    static const uint8_t levels[2][2][4] = {{{75, 107, 151, 255}, {76, 106, 149, 255}},
+    static const uint32_t scales[2][3] = {{578602, 451812, 282328}, {603075, 470922, 294270}};
+    static const uint32_t added[2][4] = {{1670108, 504310, 112573, 3762091},
+                                         {1609677, 486062, 108500, 3625965}};
+    static const uint32_t over[2][4] = {{4953242, 6941496, 9739044, 16711680},
+                                        {4942005, 6962920, 9781147, 16711680}};
+    static const uint8_t levels[2][2][4] = {{{75, 107, 150, 255}, {76, 106, 149, 255}},
                                             {{75, 108, 152, 255}, {75, 106, 149, 255}}};
     static const qv_angle fields[2] = {0, 0x15555555};
     (void)state;
     for (unsigned i = 0; i < 2; i++) {
-        expect_sight(fields[i], places[i], numbers[i], weights[i]);
+        expect_sight(fields[i], places[i], numbers[i], scales[i]);
         expect_pixel(&qv_splatting_added, fields[i], 6, added[i], levels[i][0]);
         expect_pixel(&qv_splatting_over, fields[i], 7, over[i], levels[i][1]);
     }
@@ -244,6 +273,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(S110_lengths_and_scaled_numbers),
+        cmocka_unit_test(S111_sides),
         cmocka_unit_test(S111_bearings),
         cmocka_unit_test(S112_footprints),
         cmocka_unit_test(S113_splats),

@@ -127,13 +127,13 @@ static void directions(void **state)
     f.scene.directions = QV_DIRECTIONS_FACES; /* the viewer is between faces */
     expect_scene(&f.scene, QV_ERROR_DIRECTION);
     f.scene.directions = QV_DIRECTIONS_FACES;
-    f.scene.nearest = 1;
+    f.scene.interpolation = 1;
     expect_scene(&f.scene, QV_OK);
     f.scene.directions = QV_DIRECTIONS_FACES;
     f.scene.splatting = &qv_splatting_over; /* which reads none */
     expect_scene(&f.scene, QV_OK);
     f.scene.directions = (uint32_t)1 << qv_direction(0, 1, 0); /* from behind */
-    f.scene.nearest = 1;
+    f.scene.interpolation = 1;
     expect_scene(&f.scene, QV_ERROR_DIRECTION);
     f.scene.directions = QV_DIRECTIONS_FACES;
     f.scene.splatting = &qv_splatting_over;

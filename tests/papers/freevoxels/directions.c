@@ -122,8 +122,8 @@ static void equation11(FILE *table)
     paper_volume_make(&fog, layers + 1, 1, 1);
     paper_volume_fill(&fog, fill_fog, &stored);
     attenuated_make(&light, &fog.volume, ONLY(qv_direction(-1, 0, 0)), 0);
-    ways_add(table, "light after 10 voxels of opacity 0.1: equation 11, weights of 1/4",
-             pow(1 - alpha / 4, layers), attenuated_byte(&light, layers, 0, 0) / 255.);
+    pairs_add(table, "light after 10 voxels of opacity 0.1: equation 11, weights of 1/4",
+              pow(1 - alpha / 4, layers), attenuated_byte(&light, layers, 0, 0) / 255.);
     attenuated_free(&light);
     paper_volume_free(&fog);
 }
@@ -134,6 +134,6 @@ void directions(FILE *table)
                              "opacity 0.05");
     ways_of_one_length(table);
     farthest_direction(table);
-    ways_begin(table, "\n### Equation 11 is not equation 5");
+    pairs_begin(table, "\n### Equation 11 is not equation 5", "that way", "ours");
     equation11(table);
 }

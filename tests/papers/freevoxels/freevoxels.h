@@ -9,9 +9,9 @@
 
 #include "attenuated.h"
 
-/* A table of what comes out another way, and of ours. */
-void ways_begin(FILE *table, const char *title);
-void ways_add(FILE *table, const char *what, double that, double ours);
+/* A table of what comes out in two ways. */
+void pairs_begin(FILE *table, const char *title, const char *left, const char *right);
+void pairs_add(FILE *table, const char *what, double left, double right);
 
 /* Sections 2.1 and 3.1, figure 2: attenuation of a uniform cube along three directions. */
 void uniform_cube(FILE *table, const char *folder);
@@ -35,7 +35,7 @@ void inside(FILE *table, const char *folder);
 void hierarchy(FILE *table, const char *folder);
 
 /* Section 4.3, figure 7: a head in red light. */
-void lit_head(const char *folder);
+void lit_head(FILE *table, const char *folder);
 
 /* Section 4.4, figure 8: work of many nodes. */
 void nodes(FILE *table, const char *folder);

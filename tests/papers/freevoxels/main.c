@@ -14,6 +14,9 @@ int main(int argc, char **argv)
     means(table);
     directions(table);
     inside(table, folder);
+    hierarchy(table, folder);
+    lit_head(table, folder);
+    nodes(table, folder);
     paper_close(table);
     return 0;
 }

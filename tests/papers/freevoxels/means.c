@@ -143,10 +143,10 @@ void means(FILE *table)
     const paper_row level3 = {"500 blocks of level 3: byte, farthest off", "-", 0, worst.ours,
                               0.51};
     paper_table_add(table, &level3);
-    ways_begin(table, "\n### Other ways to make it");
-    ways_add(table, "arithmetic mean of the same", arithmetic, byte / 255.);
-    ways_add(table, "one voxel in eight has a byte of 0: byte of the block", 0,
-             byte_of_eight(one_dark));
-    ways_add(table, "500 blocks of level 3, by bytes of levels 1 and 2: farthest off", worst.levels,
-             worst.ours);
+    pairs_begin(table, "\n### Other ways to make it", "that way", "ours");
+    pairs_add(table, "arithmetic mean of the same", arithmetic, byte / 255.);
+    pairs_add(table, "one voxel in eight has a byte of 0: byte of the block", 0,
+              byte_of_eight(one_dark));
+    pairs_add(table, "500 blocks of level 3, by bytes of levels 1 and 2: farthest off",
+              worst.levels, worst.ours);
 }

@@ -108,8 +108,8 @@ void store(FILE *table)
         worst_truncated = fmax(worst_truncated, off(truncated, opacities[i]));
     }
     any_opacity(table);
-    ways_begin(table, "\n### Other ways to store it");
-    ways_add(table, "truncated byte, the same six opacities", worst_truncated, worst);
+    pairs_begin(table, "\n### Other ways to store it", "that way", "ours");
+    pairs_add(table, "truncated byte, the same six opacities", worst_truncated, worst);
     bytes_off(&product, &bytes, 0.01);
-    ways_add(table, "product kept in a byte, opacity 0.01: byte after 500 voxels", product, bytes);
+    pairs_add(table, "product kept in a byte, opacity 0.01: byte after 500 voxels", product, bytes);
 }
