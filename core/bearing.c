@@ -103,6 +103,15 @@ static qv_status set_part(qv_bearing *bearing, unsigned part, const qv_compass *
     return QV_OK;
 }
 
+/* Length of a vector of parts of the longest step, Q1.31, which none is longer than: the root of
+   their squares may be, by its own error. */
+static uint32_t length_within(const uint32_t way[3])
+{
+    const uint32_t longest = (uint32_t)1 << 31;
+    uint32_t length = qv_length_of(way);
+    return length < longest ? length : longest;
+}
+
 /* Between three directions. Where one has all of the share, its byte says it all. */
 static qv_status between(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
                          const int32_t v[3])
@@ -114,7 +123,7 @@ static qv_status between(qv_bearing *bearing, uint32_t *length, const qv_compass
         part[i] = share_of(magnitude(v[axis[i]]), magnitude(v[axis[0]]));
     for (unsigned i = 0; i < 3; i++) /* part * side <= 2^30 * 2^31 */
         way[i] = (uint32_t)(fx_wide_product(part[i], compass->side[axis[i]]) >> 30);
-    *length = qv_length_of(way);
+    *length = length_within(way);
     set_one(bearing, 0);
     bearing->of_depths = compass->interpolation == QV_BETWEEN_DEPTHS;
     for (unsigned i = 0; i < 3; i++) {
@@ -152,7 +161,7 @@ static uint32_t step_length(const qv_compass *compass, const int8_t step[3])
     uint32_t way[3];
     for (unsigned axis = 0; axis < 3; axis++)
         way[axis] = step[axis] != 0 ? compass->side[axis] : 0;
-    return qv_length_of(way);
+    return length_within(way);
 }
 
 /* The direction of the set that is nearest by angle; of equals, the one with the lowest number.
