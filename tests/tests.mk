@@ -45,12 +45,15 @@ golden-update: $(GOLDEN_TEST) ## write tests/golden/golden.h anew, after a chang
 	$(GOLDEN_TEST) --update > $(TEST_OUT)/golden.h
 	cp $(TEST_OUT)/golden.h tests/golden/golden.h
 
-.PHONY: bench-functions bench-blends
+.PHONY: bench-functions bench-blends bench-freevoxels
 bench-functions: ## bytes, errors and instructions of the functions of optical depth
 	tests/bench/functions.sh
 
 bench-blends: ## instructions, RAM and flash of each way to blend slices
 	tests/bench/blends.sh
+
+bench-freevoxels: ## instructions, time and memory of FreeVoxels, beside memcpy and rays
+	tests/bench/freevoxels.sh
 
 TABLE_GENERATOR := $(TEST_OUT)/tables/tables
 

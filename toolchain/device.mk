@@ -29,6 +29,7 @@ AVR_SIMULATOR := $(BUILD)/emulator/avr
 # Sources of each firmware beside the port and the library.
 FIRMWARE_size_orthographic := $(addprefix port/cortex-m/,firmware_size.c firmware_size_orthographic.c)
 FIRMWARE_size_perspective := $(addprefix port/cortex-m/,firmware_size.c firmware_size_perspective.c)
+FIRMWARE_size_splats := port/cortex-m/firmware_size_splats.c
 GOLDEN_ON_DEVICE := $(addprefix tests/golden/,golden_device.c scenes.c volume.c render.c)
 FIRMWARE_golden_steps := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_steps_device.c set_steps.c)
 FIRMWARE_golden_lengths := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_lengths_device.c set_lengths.c)

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Writes the figures of README.md between their markers: sizes, speeds and costs of blends.
+# Writes the figures of README.md between their markers: sizes, speeds, costs of blends
+# and of FreeVoxels.
 set -eu
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
@@ -18,6 +19,7 @@ replace() {
 tests/static/size.sh --readme >"$work/sizes"
 tests/bench/bench.sh >"$work/speeds"
 tests/bench/blends.sh >"$work/blends"
+tests/bench/freevoxels.sh >"$work/freevoxels"
 cc=${CC:-cc}
 $cc -std=c99 -Icore tests/bench/recommendations.c "${BUILD:-build}/host/libqvol.a" -o "$work/ask"
 "$work/ask" >"$work/recommendations"
@@ -25,3 +27,4 @@ replace recommendations
 replace sizes
 replace speeds
 replace blends
+replace freevoxels

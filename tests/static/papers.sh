@@ -5,7 +5,8 @@ set -u
 . tests/tap
 BUILD=${BUILD:-build}
 PAPERS_OUT=$work/papers
-export BUILD PAPERS_OUT
+QV_VIEWS=20 # of the sphere; the papers take 500, for a minute
+export BUILD PAPERS_OUT QV_VIEWS
 
 check "the programs are built" make -s BUILD="$BUILD" paper-programs
 check "the papers are recomputed" tests/papers/papers.sh
@@ -248,6 +249,93 @@ dithering_table3() {
 }
 check "Dithering: table 3" dithering_table3
 
+# ---- FreeVoxels ---------------------------------------------------------------------
+
+check "FreeVoxels: every row within what it allows" rows_hold freevoxels 68
+
+check "FreeVoxels: the leak of equation 9 is there, that of equation 10 is not" all_within freevoxels <<'ROWS'
+.62 .66 two splats, opacity 0.1: conventional leaks
+15.9 16 two splats, opacity 0.5: conventional leaks
+51.6 51.7 two splats, opacity 0.9: conventional leaks
+.25 .45 cube, opacity 0.01: conventional leaks
+1.71 1.91 cube, opacity 0.05: conventional leaks
+3.61 3.81 cube, opacity 0.1: conventional leaks
+10.0 10.2 cube, opacity 0.25: conventional leaks
+23.8 24 cube, opacity 0.5: conventional leaks
+66.4 66.6 cube, opacity 0.9: conventional leaks
+0 .5 cube, opacity 0.9: FreeVoxels leak
+60 70 figure 6, 1 layers: conventional
+0 .1 figure 6, 1 layers: FreeVoxels
+2 2.3 figure 6, 24 layers: conventional
+0 .1 figure 6, 24 layers: FreeVoxels
+ROWS
+
+check "FreeVoxels: light along diagonals, the nearest direction, the viewer inside" all_within freevoxels <<'ROWS'
+.19 .197 as published, along an axis
+.31 .316 as published, along a diagonal of a face
+.385 .391 as published, along a diagonal of the cube
+.19 .197 by the length of a step, along a diagonal of a face
+.19 .197 by the length of a step, along a diagonal of the cube
+27.56 27.58 nearest direction, at most so many degrees away
+.99 1.01 viewer in a voxel of 1: farthest off
+3.9 4 viewer in a voxel of 0.25: farthest off
+9.7 9.9 viewer in a voxel of 0.1: farthest off
+19.5 20.5 viewer in a voxel of 0.05: farthest off
+.412 .416 geometric mean of 1 .9 .8 .5 .4 .3 .2 .1
+ROWS
+
+# Two numbers of a row. Each line of standard input: lowest and highest of the first, of the
+# second, and the row.
+pairs_within() {
+    while read -r low high low2 high2 what; do
+        awk -F' *[|] *' -v what="$what" -v low="$low" -v high="$high" -v low2="$low2" \
+            -v high2="$high2" '
+            NF == 5 && $2 == what {
+                print what ": " $3 ", " $4 ", wanted", low, "to", high ",", low2, "to", high2
+                seen = $3 >= low && $3 <= high && $4 >= low2 && $4 <= high2
+            }
+            END { exit !seen }' "$PAPERS_OUT/freevoxels/table.md" || return 1
+    done
+}
+
+check "FreeVoxels: what other ways cost, and not ours" pairs_within <<'ROWS'
+3.9 4.1 0 .5 truncated byte, the same six opacities
+47.5 49 0 .51 product kept in a byte, opacity 0.01: byte after 500 voxels
+.524 .526 .412 .416 arithmetic mean of the same
+0 0 1 1 one voxel in eight has a byte of 0: byte of the block
+.6 1 0 .51 500 blocks of level 3, by bytes of levels 1 and 2: farthest off
+.77 .78 .34 .36 light after 10 voxels of opacity 0.1: equation 11, weights of 1/4
+ROWS
+
+check "FreeVoxels: the head in red light has shadows, by splats and by ray casting" pairs_within <<'ROWS'
+.1 .3 .1 .3 share of the head in shadow, red below 1/4
+.4 .8 .4 .8 share of the head in light, red above 1/2
+ROWS
+
+check "FreeVoxels: the geometric mean darkens levels, attenuation built anew does not" pairs_within <<'ROWS'
+.85 .95 .98 1.02 skin, level 1: brightness of level 0's
+.7 .85 .98 1.04 skin, level 2: brightness of level 0's
+0 .6 .95 1.2 skin, level 4: brightness of level 0's
+15 200 0 10 skin, level 1: RMS from level 0
+70 200 0 30 skin, level 3: RMS from level 0
+.9 .97 .98 1.04 glass, level 2: brightness of level 0's
+28 200 0 28 glass, level 3: RMS from level 0
+ROWS
+
+check "FreeVoxels: nearly as many times faster as there are nodes, where blocks are voxels" pairs_within <<'ROWS'
+7.9 8 7.5 8 8 nodes, blocks of 1 voxels an axis
+15.5 16 15 16 16 nodes, blocks of 1 voxels an axis
+62 64 56 64 64 nodes, blocks of 1 voxels an axis
+120 128 110 128 128 nodes, blocks of 1 voxels an axis
+ROWS
+
+# The nearest of 26 is what the paper takes; head, fog, ball, clouds and all of them.
+freevoxel_directions() {
+    awk '{ print; volumes++; bad = bad || !($2 > 0 && $4 > 0) || $1 == "head" && $4 > $2 / 2 }
+        END { exit bad || volumes != 5 }' "$PAPERS_OUT/freevoxels/data/directions.dat"
+}
+check "FreeVoxels: errors between the directions" freevoxel_directions
+
 # ---- Pictures -------------------------------------------------------------------
 
 # Each is a PNG of that size (0: any) and shows something.
@@ -294,4 +382,22 @@ for figure in 05 $(seq -f %02.0f 7 39) $(seq 42 56); do
     set -- "$@" "pictures/figure$figure"
 done
 check "Dithering: figures 5, 7 to 39 and 42 to 56" pictures_exist dithering 760 "$@"
+
+check "FreeVoxels: plots and sheets" pictures_exist freevoxels 0 \
+    figure2 figure6 figure7 figure8 levels hierarchy inside directions
+set --
+for layers in 1 4 24; do
+    set -- "$@" "pictures/leak-$layers-over" "pictures/leak-$layers-added" \
+        "pictures/leak-$layers-over-error"
+done
+check "FreeVoxels: figure 6" pictures_exist freevoxels 364 "$@"
+check "FreeVoxels: figure 7 at 600x600" pictures_exist freevoxels 600 \
+    pictures/head-unlit-splats pictures/head-lit-splats pictures/head-unlit-rays pictures/head-lit-rays
+set --
+for subject in skin glass; do
+    for level in 0 1 2 3 4 5; do
+        set -- "$@" "pictures/$subject-geometric-$level" "pictures/$subject-rebuilt-$level"
+    done
+done
+check "FreeVoxels: levels" pictures_exist freevoxels 256 "$@"
 finish

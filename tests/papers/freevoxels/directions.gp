@@ -14,5 +14,5 @@ set key top left
 set title "Light from 26 directions, views of the whole sphere: against splats with exact light" font ",13"
 plot folder."/data/directions.dat" using 2:xtic(1) lc rgb "#c0392b" title "nearest direction, as published", \
      "" using 3 lc rgb "#e0a030" title "nearest direction for light alone", \
-     "" using 5 lc rgb "#8fb8d8" title "between three, of the bytes", \
-     "" using 4 lc rgb "#1f618d" title "between three, of depths (the default)"
+     "" using 5 lc rgb "#8fb8d8" title "between three, of bytes", \
+     "" using 4 lc rgb "#1f618d" title "between three, of depths"
