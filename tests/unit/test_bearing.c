@@ -323,6 +323,24 @@ static void scaled_vectors(void **state)
     }
 }
 
+/* What an opacity's thickness, up to 2^32 - 1 of it, is multiplied by: at most 1. In voxels of 1/16
+   the root of the squares of the parts is 2^31 + 1072. */
+static void no_step_is_longer_than_the_longest(void **state)
+{
+    static const uint32_t small[3] = {4096, 4096, 4096};
+    static const int32_t v[3] = {0x40000000, -0x40000000, 0x40000000};
+    const qv_volume volume = volume_of(small, 65536);
+    (void)state;
+    for (uint8_t interpolation = 0; interpolation < 2; interpolation++) {
+        qv_compass compass;
+        qv_bearing bearing;
+        uint32_t length;
+        qv_compass_of(&compass, &volume, QV_DIRECTIONS_ALL, interpolation);
+        assert_int_equal(qv_bearing_of(&bearing, &length, &compass, v), QV_OK);
+        assert_int_equal(length, 0x80000000u);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -333,6 +351,7 @@ int main(void)
         cmocka_unit_test(transmittance_between),
         cmocka_unit_test(reach_of_corners),
         cmocka_unit_test(scaled_vectors),
+        cmocka_unit_test(no_step_is_longer_than_the_longest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
