@@ -49,6 +49,13 @@
     "With --slices opacities hold for a voxel, so that a fog is as dense in any number of them.\n" \
     "Bricks share one grid of slices; values are clamped at their faces.\n"
 
+#define LEVEL_OPTION_DETAILS                                                                       \
+    "--level takes those, or makes them. auto: a pixel is as wide as a voxel of its level.\n"
+
+#define LIGHT_DETAILS                                                                              \
+    "--light AZ,EL,RRGGBB, up to 4 times, is light from outside, with shadows: from where a\n"     \
+    "viewer of these angles stands. --light RIGHT,UP is that of --shade.\n"
+
 #define PICTURE_DETAILS                                                                            \
     "\nOUT ends in .png or .pam (what the display would show; alpha is stored straight), or in\n"  \
     ".raw or .bin (the display's own bytes; colour is associated with alpha). - writes PAM.\n"     \
@@ -58,9 +65,8 @@
 
 static const struct command commands[] = {
     {"qvol render", "IN -o OUT [options]", "Renders a volume to a picture or to a display's bytes.",
-     INPUT_DETAILS "\n" TRANSFER_DETAILS "\n" SAMPLING_DETAILS "\n" SLICE_DETAILS "\n" LEVEL_DETAILS
-                   "--level takes those, or makes them. auto: a pixel is as wide as a voxel of its "
-                   "level.\n" PICTURE_DETAILS,
+     INPUT_DETAILS "\n" TRANSFER_DETAILS "\n" SAMPLING_DETAILS "\n" SLICE_DETAILS
+                   "\n" LEVEL_DETAILS LEVEL_OPTION_DETAILS LIGHT_DETAILS PICTURE_DETAILS,
      GROUP_INPUT | GROUP_CLASSIFY | GROUP_VIEW | GROUP_FRAME | GROUP_PICTURE | GROUP_LIGHTING |
          GROUP_OUTPUT | GROUP_REPORT | GROUP_THREADS | GROUP_COMMON | GROUP_LEVELS,
      1, command_render},
@@ -107,8 +113,8 @@ static const struct command commands[] = {
      1, command_freevoxel},
     {"qvol splat", "FILE -o OUT [options]", "Draws a file of qvol freevoxel, voxel by voxel.",
      "Voxels are added in the file's order, whatever it is: sums of integers do not depend on it.\n"
-     "--splatting over blends them back to front, as hardware does, and takes no notice of the\n"
-     "light that was kept: where splats overlap, too much is lost.\n" PICTURE_DETAILS,
+     "--splatting over blends them back to front, as hardware does, and reads no light but\n"
+     "that of --light: where splats overlap, it leaks.\n" PICTURE_DETAILS,
      GROUP_VIEW | GROUP_FRAME | GROUP_SPLAT | GROUP_LIGHTING | GROUP_OUTPUT | GROUP_REPORT |
          GROUP_THREADS | GROUP_COMMON,
      1, command_splat},

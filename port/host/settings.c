@@ -424,7 +424,7 @@ const struct option_spec option_specs[] = {
      GROUP_PICTURE},
     {"strip", 0, "ROWS", "rendered at a time; changes no byte (16)", set_strip, GROUP_PICTURE},
 
-    {"directions", 0, "all|faces|LIST", "that light is kept for, as in +x,-y,+x+z (all)",
+    {"directions", 0, "SET", "that light is kept for: all, faces, or a list as +x,-y,+x+z (all)",
      set_directions, GROUP_FREEVOXEL},
     {"order", 0, "ORDER", "of voxels in the file: linear, morton or hilbert (linear)",
      set_voxel_order, GROUP_FREEVOXEL},

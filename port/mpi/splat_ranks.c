@@ -95,7 +95,7 @@ static void report_ranks(struct json *json, const struct work *work)
     json_array(json, "ranks");
     for (uint32_t i = 0; i < ranks_count(); i++) {
         json_object(json, NULL);
-        json_unsigned(json, "voxels", work->voxels[i]);
+        json_unsigned(json, "voxels_with_opacity", work->voxels[i]);
         json_decimal(json, "seconds", work->seconds[i]);
         json_close(json);
     }

@@ -97,14 +97,14 @@ check "orthographic: pictures of $RANKS ranks" same_pictures levels.qvf --size 1
     --azimuth 30 --elevation 20 -o a.pam
 check "perspective, from a file of wide voxels" same_pictures wide.qvf --size 64x48 \
     --azimuth 200 --perspective 50 -o a.pam
-check "two lights and ambient light, quadratic kernel" same_pictures levels.qvf --size 80x70 \
-    --light 40,20,ff8040 --light -90,60,2040ff --ambient 202020 --kernel quadratic -o a.pam
+check "two lights and ambient light, linear kernel" same_pictures levels.qvf --size 80x70 \
+    --light 40,20,ff8040 --light -90,60,2040ff --ambient 202020 --kernel linear -o a.pam
 check "levels, over a transparent background, nearest directions" same_pictures levels.qvf \
     --size 40x40 --zoom .4 --levels --detail 2 --nearest --background transparent -o a.pam
 check "a part of the voxels of level 1, for a display" same_pictures levels.qvf --size 50x40 \
-    --level 1 --part 2/3 --zoom 2 --format rgb565le -o a.raw
+    --level 1 --part 2/3 --zoom 2 --format bgra8888 -o a.raw
 check "more ranks than voxels" same_pictures levels.qvf --size 50x40 --level 5 \
-    --background 80ff40 --zoom 3 --kernel quadratic -o a.pam
+    --background 80ff40 --zoom 3 -o a.pam
 on_ranks 3 splat levels.qvf --size 30x30 -o - >standard.pam
 "$QVOL" splat levels.qvf --size 30x30 -o file.pam
 check "a picture on standard output" cmp standard.pam file.pam
@@ -122,13 +122,14 @@ cat >work.py <<'PY'
 import json, subprocess, sys
 qvol, ranks = sys.argv[1], int(sys.argv[2])
 def voxels(*options):
-    return json.loads(subprocess.run([qvol, "splat", "levels.qvf", "--levels", "--size", "20x20", "-o",
-                                      "part.pam", "--json", *options], check=True,
-                                     stdout=subprocess.PIPE).stdout)["statistics"]["voxels"]
+    command = [qvol, "splat", "levels.qvf", "--levels", "--size", "20x20", "-o", "part.pam", "--json"]
+    report = json.loads(subprocess.run(command + list(options), check=True,
+                                       stdout=subprocess.PIPE).stdout)
+    return report["statistics"]["voxels_with_opacity"]
 report = json.load(open("report.json"))
-work = [rank["voxels"] for rank in report["ranks"]]
+work = [rank["voxels_with_opacity"] for rank in report["ranks"]]
 assert work == [voxels("--part", f"{k + 1}/{ranks}") for k in range(ranks)], work
-assert sum(work) == report["statistics"]["voxels"] == voxels()
+assert sum(work) == report["statistics"]["voxels_with_opacity"] == voxels()
 assert all(rank["seconds"] > 0 for rank in report["ranks"])
 assert max(work) < 1.1 * sum(work) / ranks, work
 print(work)
@@ -178,6 +179,8 @@ rejects "a report that cannot be written" 1 "nowhere/a.json: No such" splat leve
     --json=nowhere/a.json
 check "without its report there is no picture, nor what was begun" sh -c '! ls b.pam qvol-*.tmp'
 
+refuses "a file that rank 0 cannot read" 1 "none.qvf: No such file or directory$" \
+    mpirun -q -n 1 "$MPI" splat none.qvf -o c.pam : -n 3 "$MPI" splat levels.qvf -o c.pam
 apart() { # apart NAME STATUS PATTERN ARGUMENT...: what ranks 2 and 3 have been given
     name=$1 status=$2 pattern=$3
     shift 3
