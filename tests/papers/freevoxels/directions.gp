@@ -14,7 +14,6 @@ set style line 2 lw 2.5 lc rgb "#e0a030"
 set style line 3 lw 2.5 lc rgb "#1f618d"
 set multiplot layout 1,2 title "Light from 26 directions, against splats with exact light" font ",14"
 set title "the head at 1/8 of its resolution, on a way past three directions"
-set xlabel "degrees"
 set xrange [0:135]
 set xtics ("axis" 0, "diagonal\nof a face" 45, "diagonal\nof the cube" 80.264, "axis" 135)
 set grid xtics
@@ -22,7 +21,6 @@ plot folder."/data/between.dat" using 1:2 with lines ls 1 title "nearest directi
      "" using 1:3 with lines ls 2 title "between three, of depths", \
      "" using 1:4 with lines ls 3 title "between three, of light"
 set title "views of the whole sphere"
-unset xlabel
 set xrange [-0.6:4.6]
 set xtics autofreq
 unset grid
