@@ -118,7 +118,7 @@ test-exhaustive: ## every input of every fixed-point function: an hour or so
 # ---- Installation ---------------------------------------------------------------
 
 .PHONY: install
-install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL)) ## header, archive, pkg-config file and command below PREFIX
+install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL) $(MPI_COMMAND)) ## header, archive, pkg-config file and commands below PREFIX
 	install -d "$(DESTDIR)$(PREFIX)/include" "$(DESTDIR)$(PREFIX)/lib/pkgconfig"
 	install -m 644 core/qvol.h "$(DESTDIR)$(PREFIX)/include/qvol.h"
 	install -m 644 $(LIBRARY) "$(DESTDIR)$(PREFIX)/lib/libqvol.a"
@@ -127,7 +127,7 @@ install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL)) ## header, archive, p
 		> "$(DESTDIR)$(PREFIX)/lib/pkgconfig/qvol.pc"
 ifeq ($(TARGET),host)
 	install -d "$(DESTDIR)$(PREFIX)/bin"
-	install -m 755 $(QVOL) "$(DESTDIR)$(PREFIX)/bin/qvol"
+	install -m 755 $(QVOL) $(MPI_COMMAND) "$(DESTDIR)$(PREFIX)/bin"
 endif
 
 # ---- Care -----------------------------------------------------------------------

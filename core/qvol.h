@@ -1223,9 +1223,9 @@ typedef struct qv_lighting {
  * Colours are rounded to nearest; those of 8 bits are within .51 of exact for the bytes as they
  * are, those of 16 bits within 1.5. Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check,
  * _SIZE (also of the block, or the attenuation's is not the volume's), _DIRECTION (the set is empty
- * or has unknown bits, or a lamp shines from between directions of which one is not in it),
- * _ATTENUATION, _LIGHT (more lamps than there can be, or a direction of length 0), _BUFFER,
- * _OVERLAP (what is written is also read, but for those voxels).
+ * or has unknown bits, a lamp shines from between directions of which one is not in it, or the
+ * interpolation is unknown), _ATTENUATION, _LIGHT (more lamps than there can be, or a direction of
+ * length 0), _BUFFER, _OVERLAP (what is written is also read, but for those voxels).
  */
 qv_status qv_illuminate(void *voxels, size_t bytes, const qv_volume *volume,
                         const qv_attenuation *attenuation, const qv_lighting *lighting,

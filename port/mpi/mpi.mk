@@ -18,10 +18,13 @@ MPI_OWN_OBJECTS := $(patsubst %.c,$(OUT)/%.o,$(sort $(wildcard $(MPI_DIR)/*.c)))
 MPI_OBJECTS := $(MPI_OWN_OBJECTS) $(filter-out %/host/main.o,$(HOST_OBJECTS))
 MPI_OPTIONS := $(call remember,$(OUT)/mpi-options,$(MPI_CPPFLAGS) $(MPI_LIBS))
 
-.PHONY: mpi
-ifeq ($(MPI_FOUND),mpi)
-all: $(QVOL_MPI)
+# What is built and installed beside qvol.
+MPI_COMMAND := $(if $(MPI_FOUND),$(QVOL_MPI))
 
+.PHONY: mpi
+all: $(MPI_COMMAND)
+
+ifneq ($(MPI_COMMAND),)
 mpi: $(QVOL_MPI) ## qvol-mpi for clusters; needs Open MPI
 else
 mpi:

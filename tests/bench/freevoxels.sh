@@ -84,11 +84,11 @@ count_here
 
 cat <<END
 Instructions a voxel ($(arm-none-eabi-gcc --version | head -n 1),
-$(avr-gcc --version | head -n 1), here $($CC --version | head -n 1); $OPTIMISE): of a direction, of one
-splat by \`qv_splat\` with its checks, of a block of 13x13x13 voxels and of a voxel that is lit.
-Opacities are stored, in 8 bits, for a unit distance. Pixels are those that a splat changes; one
-kernel is linear where nothing else is said. A \`qv_splats\` takes $context bytes on a Cortex-M; the
-stack is what a Cortex-M3 takes below the call.
+$(avr-gcc --version | head -n 1), here $($CC --version | head -n 1); $OPTIMISE): of a direction; of one
+splat by \`qv_splat\`, its checks included; of a block of 13x13x13 voxels; of a voxel that is lit.
+Opacities are stored, in 8 bits, for a unit distance; the kernel is linear where nothing else is
+said; pixels are those that change. A \`qv_splats\` takes $context bytes on a Cortex-M; the stack is
+what a Cortex-M3 takes below the call.
 
 | what | pixels | M0 | M3 | AVR | AVR cycles | here | stack |
 |---|---|---|---|---|---|---|---|

@@ -118,7 +118,7 @@ typedef struct subject {
     qv_angle field_of_view, azimuth, elevation;
     uint32_t pitch;
     uint8_t frame; /* pixels across and down */
-    uint8_t nearest, lamps;
+    uint8_t interpolation, lamps;
     uint8_t place; /* of the voxel on each axis */
 } subject;
 
@@ -136,7 +136,7 @@ static qv_status start(const subject *s)
         .domain = &qv_domain_extinction,
         .directions = QV_DIRECTIONS_ALL,
         .field_of_view = s->field_of_view,
-        .interpolation = s->nearest,
+        .interpolation = s->interpolation,
         .lighting = {.lamps = {{{-4, -3, 5}, {65535, 65535, 65535}}}, .count = s->lamps},
         .view = {.pitch = s->pitch, .width = s->frame, .height = s->frame},
         .volume = volume};
@@ -176,20 +176,23 @@ static void measure_splats(void)
     static const qv_splatting *const added = &qv_splatting_added, *const over = &qv_splatting_over;
     static const qv_kernel *const linear = &qv_kernel_linear, *const smooth = &qv_kernel_quadratic;
     const uint32_t one = QV_ONE_Q16;
+    enum { LIGHT = QV_BETWEEN_LIGHT, DEPTHS = QV_BETWEEN_DEPTHS, NEAREST = QV_NEAREST };
     const subject subjects[] = {
-        {"between", added, linear, 0, AZIMUTH, ELEVATION, 4 * one, FRAME - 1, 0, 0, MIDDLE},
-        {"between", added, linear, 0, AZIMUTH, ELEVATION, one, FRAME, 0, 0, MIDDLE},
-        {"between", added, linear, 0, AZIMUTH, ELEVATION, one / 2, FRAME, 0, 0, MIDDLE},
-        {"nearest", added, linear, 0, AZIMUTH, ELEVATION, 4 * one, FRAME - 1, 1, 0, MIDDLE},
-        {"nearest", added, linear, 0, AZIMUTH, ELEVATION, one, FRAME, 1, 0, MIDDLE},
-        {"nearest", added, linear, 0, AZIMUTH, ELEVATION, one / 2, FRAME, 1, 0, MIDDLE},
-        {"between, quadratic", added, smooth, 0, AZIMUTH, ELEVATION, one, FRAME - 1, 0, 0, MIDDLE},
-        {"between, a lamp", added, linear, 0, AZIMUTH, ELEVATION, one, FRAME, 0, 1, MIDDLE},
-        {"over", over, linear, 0, AZIMUTH, ELEVATION, one, FRAME, 0, 0, MIDDLE},
-        {"between, eye", added, linear, NARROW, AZIMUTH, ELEVATION, one, FRAME, 0, 0, MIDDLE},
-        {"nearest, eye", added, linear, NARROW, AZIMUTH, ELEVATION, one, FRAME, 1, 0, MIDDLE},
-        {"beside the frame", added, linear, 0, AZIMUTH, ELEVATION, one / 8, FRAME, 0, 0, 3},
-        {"empty", added, linear, 0, AZIMUTH, ELEVATION, one, FRAME, 0, 0, 0},
+        {"between", added, linear, 0, AZIMUTH, ELEVATION, 4 * one, FRAME - 1, LIGHT, 0, MIDDLE},
+        {"between", added, linear, 0, AZIMUTH, ELEVATION, one, FRAME, LIGHT, 0, MIDDLE},
+        {"between", added, linear, 0, AZIMUTH, ELEVATION, one / 2, FRAME, LIGHT, 0, MIDDLE},
+        {"between depths", added, linear, 0, AZIMUTH, ELEVATION, one, FRAME, DEPTHS, 0, MIDDLE},
+        {"nearest", added, linear, 0, AZIMUTH, ELEVATION, 4 * one, FRAME - 1, NEAREST, 0, MIDDLE},
+        {"nearest", added, linear, 0, AZIMUTH, ELEVATION, one, FRAME, NEAREST, 0, MIDDLE},
+        {"nearest", added, linear, 0, AZIMUTH, ELEVATION, one / 2, FRAME, NEAREST, 0, MIDDLE},
+        {"between, quadratic", added, smooth, 0, AZIMUTH, ELEVATION, one, FRAME - 1, LIGHT, 0,
+         MIDDLE},
+        {"between, a lamp", added, linear, 0, AZIMUTH, ELEVATION, one, FRAME, LIGHT, 1, MIDDLE},
+        {"over", over, linear, 0, AZIMUTH, ELEVATION, one, FRAME, LIGHT, 0, MIDDLE},
+        {"between, eye", added, linear, NARROW, AZIMUTH, ELEVATION, one, FRAME, LIGHT, 0, MIDDLE},
+        {"nearest, eye", added, linear, NARROW, AZIMUTH, ELEVATION, one, FRAME, NEAREST, 0, MIDDLE},
+        {"beside the frame", added, linear, 0, AZIMUTH, ELEVATION, one / 8, FRAME, LIGHT, 0, 3},
+        {"empty", added, linear, 0, AZIMUTH, ELEVATION, one, FRAME, LIGHT, 0, 0},
     };
     for (unsigned i = 0; i < sizeof subjects / sizeof *subjects; i++)
         measure_splat(&subjects[i]);
@@ -223,13 +226,13 @@ static void measure_block(const char *name, qv_angle field_of_view)
 
 /* ---- Light -------------------------------------------------------------------- */
 
-static void measure_light(const char *name, uint8_t nearest)
+static void measure_light(const char *name, uint8_t interpolation)
 {
     static const qv_block slices = {{0, 0, MIDDLE}, {BALL_SIZE, BALL_SIZE, MIDDLE + SLICES}};
     const qv_lighting lighting = {.lamps = {{{-4, -3, 5}, {65535, 65535, 65535}}}, .count = 1};
     measure_begin();
-    qv_status status =
-        qv_illuminate(memory.bytes, LIT_BYTES, &volume, &attenuation, &lighting, nearest, &slices);
+    qv_status status = qv_illuminate(memory.bytes, LIT_BYTES, &volume, &attenuation, &lighting,
+                                     interpolation, &slices);
     measure_end();
     report(name, status, LIT_BYTES / 4, 0, crc32_update(0, memory.bytes, LIT_BYTES));
 }
@@ -243,8 +246,9 @@ int main(void)
     measure_splats();
     measure_block("block", 0);
     measure_block("block, eye", NARROW);
-    measure_light("voxel lit, between", 0);
-    measure_light("voxel lit, nearest", 1);
+    measure_light("voxel lit, between", QV_BETWEEN_LIGHT);
+    measure_light("voxel lit, between depths", QV_BETWEEN_DEPTHS);
+    measure_light("voxel lit, nearest", QV_NEAREST);
     console_text("context ");
     console_decimal(sizeof splats);
     console_text("\n");

@@ -79,7 +79,8 @@ static void build(const qv_volume *volume, const qv_attenuation *attenuation)
         must(qv_attenuate(to, BYTES, NULL, attenuation, volume, &qv_domain_extinction, direction));
 }
 
-static void splat(const qv_volume *volume, const qv_attenuation *attenuation, int nearest)
+static void splat(const qv_volume *volume, const qv_attenuation *attenuation,
+                  qv_interpolation interpolation)
 {
     static const qv_block whole = {{0, 0, 0}, {SIZE, SIZE, SIZE}};
     const qv_sums all = {sums, sizeof sums / sizeof *sums, {0, 0, FRAME, FRAME}};
@@ -89,7 +90,7 @@ static void splat(const qv_volume *volume, const qv_attenuation *attenuation, in
                             .kernel = &qv_kernel_quadratic,
                             .domain = &qv_domain_extinction,
                             .directions = attenuation->directions,
-                            .nearest = (uint8_t)nearest,
+                            .interpolation = (uint8_t)interpolation,
                             .volume = *volume};
     look(&scene.view);
     must(qv_splat_init(&splats, &scene));
@@ -127,7 +128,7 @@ static void run(int task, const qv_volume *volume, const qv_attenuation *attenua
         cast(volume);
         break;
     default:
-        splat(volume, attenuation, task == NEAREST);
+        splat(volume, attenuation, task == NEAREST ? QV_NEAREST : QV_BETWEEN_LIGHT);
     }
 }
 

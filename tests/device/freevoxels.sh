@@ -1,7 +1,8 @@
 #!/bin/sh
 # A picture of FreeVoxels on the emulated Cortex-M0, M3 and ATmega1284P, small and fast builds:
 # voxels and their bytes from program memory, in blocks and as a stream, and the attenuation of
-# one direction. The results of this machine, by checksum; an AVR's cycles and RAM are printed.
+# one direction; then each subject of tests/bench/freevoxels.sh. The results of this machine, by
+# checksum; an AVR's cycles and RAM are printed.
 set -eu
 . tests/tap
 : "${BUILD:=build}" "${CC:=cc}"
@@ -14,11 +15,29 @@ CLOCK=20000000 # the most that an ATmega1284P takes
 EMULATOR_SECONDS=${EMULATOR_SECONDS:-900}
 export BUILD EMULATOR_SECONDS
 
-on_host() {
-    $CC -std=c99 -O2 -Icore -Ifixedpoint -Iport -Itests/device port/firmware_ball.c port/crc32.c \
+compile() { # compile FIRMWARE PROGRAM: for this machine
+    $CC -std=c99 -O2 -Icore -Ifixedpoint -Iport -Itests/device "$1" port/crc32.c \
         tests/bench/board_host.c tests/device/ball.c tests/device/ball_make.c \
-        tests/device/ball_host.c core/*.c fixedpoint/*.c -o "$work/ball" &&
-        "$work/ball" >"$work/expected" && [ "$(grep -c '^[a-z]* [0-9]*$' "$work/expected")" -eq 3 ]
+        tests/device/ball_host.c core/*.c fixedpoint/*.c -o "$2"
+}
+
+on_host() {
+    compile port/firmware_ball.c "$work/ball" && "$work/ball" >"$work/expected" &&
+        [ "$(grep -c '^[a-z]* [0-9]*$' "$work/expected")" -eq 3 ]
+}
+
+# Lines "NAME|DIVISOR|PIXELS|CHECKSUM".
+subjects_on_host() {
+    compile tests/bench/freevoxels_device.c "$work/subjects" &&
+        "$work/subjects" | grep '|' >"$work/subjects_expected" &&
+        [ "$(grep -c '|[0-9]*|[0-9]*|[0-9]*$' "$work/subjects_expected")" -ge 29 ]
+}
+
+subjects() { # subjects TARGET BOARD: the results of this machine
+    top=$BUILD/bench-O2
+    make -s TARGET="$1" OPTIMISE=-O2 BUILD="$top" "$top/$1/freevoxels.elf" &&
+        EMULATOR_OPTIONS='' toolchain/emulate "$2" "$top/$1/freevoxels.elf" >"$work/results" &&
+        grep '|' "$work/results" | diff "$work/subjects_expected" -
 }
 
 # One picture, whatever the order of the voxels.
@@ -65,4 +84,8 @@ for optimise in -Os -O2; do
     check "freevoxels on avr $optimise: data and stack fit the RAM" fits $optimise
     figures $optimise
 done
+check "subjects of freevoxels on this machine" subjects_on_host
+check "subjects of freevoxels on cortex-m0" subjects cortex-m0 microbit
+check "subjects of freevoxels on cortex-m3" subjects cortex-m3 lm3s6965evb
+check "subjects of freevoxels on avr" subjects avr atmega1284p
 finish

@@ -111,9 +111,10 @@ check "a picture on standard output" cmp standard.pam file.pam
 
 # Millions of voxels.
 check "a head is installed" test -r $HEAD
-check "a file of the head" "$QVOL" freevoxel $HEAD -o head.qvf --tf head --levels 0 -q
-check "pictures of the head" same_pictures head.qvf --size 256x256 \
-    --azimuth 130 -o a.pam
+check "a file of the head" "$QVOL" freevoxel $HEAD -o head.qvf --tf head --levels 0 -q \
+    --directions +x,+x+y,+x+y+z
+check "pictures of the head" same_pictures head.qvf --size 256x256 --azimuth 130 --elevation 20 \
+    -o a.pam
 
 # ---- Work ------------------------------------------------------------------------
 

@@ -28,6 +28,8 @@ static const int16_t lamps[][3] = {
     {1, 2, 3}, {-30000, 0, 0}, {5, -7, 0}, {-1, -1, 1}, {17, -400, 9}, {0, 0, -1},
 };
 
+static const uint8_t interpolations[] = {QV_BETWEEN_LIGHT, QV_NEAREST, QV_BETWEEN_DEPTHS};
+
 /* Widths in pixels, Q8.8. */
 static const uint16_t details[] = {0, 0x0100, 0x0280, 0x0600, 0xFFFF};
 
@@ -86,12 +88,12 @@ static void draw_directions(golden_scene *golden, bool large, uint32_t *state)
     golden_splatting *splats = &golden->splats;
     bool few = golden->field_of_view == 0 && splats->how->splatting;
     splats->directions = QV_DIRECTIONS_ALL;
-    splats->nearest = random_below(state, 2) != 0;
+    splats->interpolation = interpolations[DRAW(state, interpolations)];
     if (few && (large || random_below(state, 2) != 0)) {
         splats->directions = 0;
     } else if (large) {
         splats->directions = QV_DIRECTIONS_FACES;
-        splats->nearest = true;
+        splats->interpolation = QV_NEAREST;
     }
     splats->gap = (uint8_t)(splats->directions == QV_DIRECTIONS_ALL ? 0 : random_below(state, 2));
 }

@@ -229,11 +229,11 @@ static uint32_t splat_bits(const golden_splatting *splats)
     uint32_t set = UINT32_C(1) << (splats->how - of->splat);
     for (unsigned i = 0; i < GOLDEN_ORDERS; i++)
         set |= splats->order == of->order[i] ? UINT32_C(1) << (5 + i) : 0;
-    set |= UINT32_C(1) << (splats->nearest ? 8 : 9);
-    set |= UINT32_C(1) << (splats->rebuilt ? 10 : 11);
-    set |= UINT32_C(1) << (splats->coarsest > splats->level ? 12 : 13);
-    set |= UINT32_C(1) << (splats->directions == 0 ? 14 : 15);
-    set |= UINT32_C(1) << (splats->lighting.count == 0 ? 16 : 17);
+    set |= UINT32_C(1) << (8 + splats->interpolation);
+    set |= UINT32_C(1) << (splats->rebuilt ? 11 : 12);
+    set |= UINT32_C(1) << (splats->coarsest > splats->level ? 13 : 14);
+    set |= UINT32_C(1) << (splats->directions == 0 ? 15 : 16);
+    set |= UINT32_C(1) << (splats->lighting.count == 0 ? 17 : 18);
     return set;
 }
 
@@ -246,7 +246,7 @@ static bool splats_occur(void)
         golden_describe(&golden, set, number);
         seen |= splat_bits(&golden.splats);
     }
-    return seen == (UINT32_C(1) << 18) - 1;
+    return seen == (UINT32_C(1) << 19) - 1;
 }
 
 static void check_choices(void)

@@ -131,7 +131,7 @@ static void describe(qv_splat_scene *scene, const frame *f)
                               .domain = domain_of(&f->volume[0]),
                               .directions = splats->directions,
                               .field_of_view = golden->field_of_view,
-                              .interpolation = splats->nearest,
+                              .interpolation = splats->interpolation,
                               .level = splats->level,
                               .coarsest = splats->coarsest,
                               .detail = splats->detail,
@@ -309,8 +309,9 @@ static qv_status light(const frame *f, uint8_t *voxels, uint32_t slice_bytes)
     qv_status status = QV_OK;
     for (unsigned z = 0; z < size[2] && status == QV_OK; z += slab) {
         const qv_block block = {{0, 0, (uint16_t)z}, {size[0], size[1], (uint16_t)(z + slab)}};
-        status = qv_illuminate(voxels + z * slice_bytes, slab * slice_bytes, &f->volume[0],
-                               &f->attenuation[0], &splats->lighting, splats->nearest, &block);
+        status =
+            qv_illuminate(voxels + z * slice_bytes, slab * slice_bytes, &f->volume[0],
+                          &f->attenuation[0], &splats->lighting, splats->interpolation, &block);
     }
     return status;
 }

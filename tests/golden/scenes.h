@@ -173,8 +173,8 @@ typedef struct golden_splatting {
     const qv_order *order;
     uint32_t directions; /* a set; 0: as few as the scene needs */
     uint8_t gap;         /* bytes between the records of voxels */
-    bool nearest;        /* direction, rather than between three */
-    bool rebuilt;        /* bytes of levels are made of the levels' own voxels */
+    uint8_t interpolation;
+    bool rebuilt; /* bytes of levels are made of the levels' own voxels */
     uint8_t level, coarsest;
     uint16_t detail;
     uint8_t parts; /* of the voxels, where they are divided */

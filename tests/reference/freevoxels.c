@@ -140,6 +140,42 @@ void ref_bytes_free(ref_bytes *made)
     }
 }
 
+/* ---- Depth between three directions ----------------------------------------------- */
+
+/* Where opacities hold for a step of any direction, depths do not change with its length. */
+static double scale_to(const qv_volume *volume, int direction, const double v[3])
+{
+    int step[3];
+    ref_direction_step(step, direction);
+    const double along[3] = {step[0], step[1], step[2]};
+    const bool by_step = !ref_holds_extinction(volume->storage) && volume->unit_distance == 0;
+    return by_step ? 1 : ref_step_length(volume, v) / ref_step_length(volume, along);
+}
+
+/* The three directions round v, and the depth of each for steps as long as v's. */
+typedef struct triangle {
+    ref_surrounding around;
+    double depth[3];
+} triangle;
+
+static double between_depths(const triangle *of)
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        sum += of->around.weight[i] > 0 ? of->around.weight[i] * of->depth[i] : 0;
+    }
+    return sum;
+}
+
+static double between_light(const triangle *of)
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        sum += of->around.weight[i] * exp2(-of->depth[i]);
+    }
+    return -log2(sum);
+}
+
 /* ---- Depth from bytes --------------------------------------------------------- */
 
 static double byte_depth(uint8_t byte)
@@ -147,56 +183,14 @@ static double byte_depth(uint8_t byte)
     return byte == 0 ? HUGE_VAL : -log2(byte / 255.0);
 }
 
-/* Where opacities hold for a step of any direction, depths do not change with its length. */
-static bool is_by_step(const qv_volume *volume)
-{
-    return !ref_holds_extinction(volume->storage) && volume->unit_distance == 0;
-}
-
-/* Depth along a step towards v, from the depths of the three directions round it. */
-static double interpolate(const qv_volume *volume, const ref_surrounding *around,
-                          const double depth[3], const double v[3])
-{
-    double sum = 0;
-    for (int i = 0; i < 3; i++) {
-        int step[3];
-        ref_direction_step(step, around->direction[i]);
-        const double along[3] = {step[0], step[1], step[2]};
-        const double length = is_by_step(volume) ? 1 : ref_step_length(volume, along);
-        sum += around->weight[i] > 0 ? around->weight[i] * depth[i] / length : 0;
-    }
-    return is_by_step(volume) ? sum : sum * ref_step_length(volume, v);
-}
-
-/* Of directions with a share, a byte of 0 counts as dark beside others; alone, all is dark. */
-static void depths_around(double depth[3], const ref_surrounding *around, const uint8_t *bytes)
+/* Whether nothing passes in any direction that has a share. */
+static bool all_dark(const ref_surrounding *around, const uint8_t *bytes)
 {
     bool dark = true;
     for (int i = 0; i < 3; i++) {
         dark = dark && (around->weight[i] == 0 || bytes[around->direction[i]] == 0);
     }
-    for (int i = 0; i < 3; i++) {
-        const double own = byte_depth(bytes[around->direction[i]]);
-        depth[i] = dark ? HUGE_VAL : fmin(own, REF_DARK_DEPTH);
-    }
-}
-
-/* The mean of what the bytes let through, each raised to the length of v's step, by their shares. */
-static double depth_of_mean(const qv_volume *volume, const ref_surrounding *around,
-                            const uint8_t *bytes, const double v[3])
-{
-    double sum = 0;
-    for (int i = 0; i < 3; i++) {
-        int step[3];
-        ref_direction_step(step, around->direction[i]);
-        const double along[3] = {step[0], step[1], step[2]};
-        const double scale =
-            is_by_step(volume) ? 1 : ref_step_length(volume, v) / ref_step_length(volume, along);
-        const uint8_t byte = bytes[around->direction[i]];
-        sum +=
-            around->weight[i] > 0 && byte != 0 ? around->weight[i] * pow(byte / 255.0, scale) : 0;
-    }
-    return sum > 0 ? -log2(sum) : HUGE_VAL;
+    return dark;
 }
 
 double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const double v[3])
@@ -204,20 +198,24 @@ double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const 
     const ref_bytes *bytes = in;
     const qv_volume *volume = bytes->volume;
     const uint8_t *of = byte_at(bytes, level, at);
-    ref_surrounding around;
-    double depth[3];
+    triangle found;
     if (bytes->light == REF_LIGHT_NEAREST) {
         return byte_depth(of[ref_nearest_direction(volume, bytes->directions, v)]);
     }
-    ref_surround(&around, v);
-    if (bytes->light == REF_LIGHT_BETWEEN) {
-        return depth_of_mean(volume, &around, of, v);
+    ref_surround(&found.around, v);
+    if (all_dark(&found.around, of)) {
+        return HUGE_VAL;
     }
-    depths_around(depth, &around, of);
-    return interpolate(volume, &around, depth, v);
+    for (int i = 0; i < 3; i++) {
+        const int direction = found.around.direction[i];
+        const double own = byte_depth(of[direction]);
+        const double counts = bytes->light == REF_LIGHT_DEPTHS ? fmin(own, REF_DARK_DEPTH) : own;
+        found.depth[i] = counts * scale_to(volume, direction, v);
+    }
+    return bytes->light == REF_LIGHT_DEPTHS ? between_depths(&found) : between_light(&found);
 }
 
-/* ---- Depth between three directions, without bytes -------------------------------- */
+/* ---- Depth without bytes ---------------------------------------------------------- */
 
 bool ref_outside_make(ref_outside *made, const qv_volume *volume)
 {
@@ -247,12 +245,12 @@ double ref_depth_between(const void *in, int level, const int32_t at[3], const d
     const ref_outside *outside = in;
     const uint16_t *size = outside->volume->size;
     const double *of = outside->depth[at[0] + size[0] * (at[1] + (int64_t)size[1] * at[2])];
-    ref_surrounding around;
-    double depth[3];
+    triangle found;
     (void)level;
-    ref_surround(&around, v);
+    ref_surround(&found.around, v);
     for (int i = 0; i < 3; i++) {
-        depth[i] = of[around.direction[i]];
+        const int direction = found.around.direction[i];
+        found.depth[i] = of[direction] * scale_to(outside->volume, direction, v);
     }
-    return interpolate(outside->volume, &around, depth, v);
+    return between_light(&found);
 }

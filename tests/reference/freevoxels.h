@@ -31,7 +31,7 @@ void ref_surround(ref_surrounding *found, const double v[3]);
 /* The direction of a set at the least angle to v, in world units. */
 int ref_nearest_direction(const qv_volume *volume, uint32_t directions, const double v[3]);
 
-/* What a byte of 0 counts as where other bytes count as well. */
+/* What a byte of 0 counts as between depths, where other bytes are not 0. */
 #define REF_DARK_DEPTH 10
 
 #define REF_LEVELS 13 /* 0 .. 12 */
@@ -49,7 +49,7 @@ typedef struct ref_bytes {
 } ref_bytes;
 
 /* Makes the bytes of level 0 up to `coarsest`, each rounded from its exact value, for
-   REF_LIGHT_DEPTHS. False without memory. */
+   REF_LIGHT_BETWEEN. False without memory. */
 bool ref_bytes_make(ref_bytes *made, const qv_volume *volume, int coarsest);
 void ref_bytes_free(ref_bytes *made);
 
@@ -71,7 +71,7 @@ typedef struct ref_outside {
 bool ref_outside_make(ref_outside *made, const qv_volume *volume);
 void ref_outside_free(ref_outside *made);
 
-/* From ref_outside, between three directions; of level 0 alone. */
+/* From ref_outside, between the light of three directions; of level 0 alone. */
 ref_depth_along ref_depth_between;
 
 /* Extinction at the centres of a volume's voxels, depth per world unit, x fastest. */

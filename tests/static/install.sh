@@ -8,6 +8,7 @@ prefix=$work/prefix
 
 cat >"$work/list" <<'END'
 bin/qvol
+bin/qvol-mpi
 include/qvol.h
 lib/libqvol.a
 lib/pkgconfig/qvol.pc
@@ -51,7 +52,7 @@ staged() {
 
 export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
 check "make install" installs PREFIX="$prefix"
-check "header, archive, pkg-config file and command, nothing else" listed
+check "header, archive, pkg-config file and commands, nothing else" listed
 check "a program compiles with what pkg-config tells" compiles
 check "program, command and pkg-config name one version" one_version
 check "make install with DESTDIR" staged

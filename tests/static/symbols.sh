@@ -41,7 +41,8 @@ check_symbols() { # check_symbols NAME NM
 # call are left out.
 check_divisions() { # check_divisions NAME OBJDUMP
     for name in $(cd "$work/objects" && ls sample_*.o levels_*.o) \
-        fx_exp.o fx_log.o fx_log8.o fx_phi.o fx_correct.o fx_wide.o; do
+        splatting_added.o splatting_over.o footprint.o \
+        fx_exp.o fx_log.o fx_log8.o fx_phi.o fx_correct.o fx_wide.o fx_scaled.o; do
         "$2" -dr "$work/objects/$name" | awk -v name="$name" '
             /^Disassembly/ { next }
             />:$/ { function_name = $2; found = 1; next }

@@ -389,7 +389,8 @@ static void bad_lamps_are_refused(void **state)
     refuse(0, &whole, LIT_BYTES, QV_ERROR_DIRECTION);
     lighting.lamps[0] = between;
     refuse(0, &whole, LIT_BYTES, QV_ERROR_DIRECTION);
-    assert_int_equal(light(untouched, 1), QV_OK);
+    assert_int_equal(light(untouched, QV_NEAREST), QV_OK);
+    refuse(QV_BETWEEN_DEPTHS + 1, &whole, LIT_BYTES, QV_ERROR_DIRECTION);
 }
 
 static void bad_attenuation_is_refused(void **state)

@@ -80,7 +80,7 @@ static int nearest(const qv_volume *volume, const double v[3])
     for (int axis = 0; axis < 3; axis++) {
         scaled[axis] = (int32_t)lround(v[axis] / largest * INT32_MAX);
     }
-    qv_compass_of(&compass, volume, QV_DIRECTIONS_ALL, 1);
+    qv_compass_of(&compass, volume, QV_DIRECTIONS_ALL, QV_NEAREST);
     paper_require(qv_bearing_of(&bearing, &length, &compass, scaled) == QV_OK, "no bearing");
     return (int)lround(255 * ldexp(qv_bearing_transmittance(&bearing, numbers, NULL), -32));
 }

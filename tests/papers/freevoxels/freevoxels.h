@@ -28,6 +28,9 @@ void means(FILE *table);
 /* Section 3.1: light from between 26 directions. */
 void directions(FILE *table);
 
+/* The head from between the directions. */
+void between(const char *folder);
+
 /* Section 3.3: the viewer in the volume. */
 void inside(FILE *table, const char *folder);
 

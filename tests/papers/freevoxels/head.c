@@ -45,6 +45,9 @@ void head_make(paper_volume *made, const qv_transfer *transfer, unsigned factor)
     for (size_t i = 0; i < (size_t)size[0] * size[1] * size[2]; i++) {
         memcpy(made->voxels[i], transfer->rgba[scan[i]], sizeof made->voxels[i]);
     }
-    made->volume.unit_distance = QV_ONE_Q16 * factor;
+    made->volume.unit_distance = QV_ONE_Q16;
+    for (int axis = 0; axis < 3; axis++) {
+        made->volume.spacing[axis] = QV_ONE_Q16 * factor;
+    }
     free(scan);
 }

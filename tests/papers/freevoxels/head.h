@@ -6,8 +6,8 @@
 
 #include "papers/paper.h"
 
-/* Voxels of 16-bit RGBA, opacities for a length of 1, of the scan reduced by a factor on each
-   axis. */
+/* Voxels of 16-bit RGBA of the scan, reduced by a factor on each axis; opacities are for a voxel
+   of the scan, which is 1 long. */
 void head_make(paper_volume *made, const qv_transfer *transfer, unsigned factor);
 
 /* A skin that light hardly enters. */

@@ -53,7 +53,7 @@ static void one_direction(qv_bearing *bearing)
     paper_volume voxel;
     uint32_t length;
     paper_volume_make(&voxel, 1, 1, 1);
-    qv_compass_of(&compass, &voxel.volume, set, 1);
+    qv_compass_of(&compass, &voxel.volume, set, QV_NEAREST);
     paper_require(qv_bearing_of(bearing, &length, &compass, v) == QV_OK, "no bearing");
     paper_volume_free(&voxel);
 }

@@ -48,7 +48,7 @@ static void cast(paper_picture *made, const paper_volume *head, const qv_attenua
     qv_scene scene;
     if (light != NULL) {
         paper_require(qv_illuminate(head->voxels, (size_t)head->volume.voxels_bytes, &head->volume,
-                                    light, &lighting, 0, &all) == QV_OK,
+                                    light, &lighting, QV_BETWEEN_LIGHT, &all) == QV_OK,
                       "cannot light the head");
     }
     memset(&scene, 0, sizeof scene);

@@ -13,6 +13,7 @@ int main(int argc, char **argv)
     store(table);
     means(table);
     directions(table);
+    between(folder);
     inside(table, folder);
     hierarchy(table, folder);
     lit_head(table, folder);

@@ -3,6 +3,7 @@
  */
 #include "freevoxels.h"
 
+#include "draw.h"
 #include "reference/attenuation.h"
 
 #include <math.h>
@@ -57,18 +58,11 @@ static void means_of_eight(double *geometric, double *arithmetic, const eight co
 
 /* ---- Three levels ----------------------------------------------------------------- */
 
-/* Numbers 0 .. 1 that look drawn at random, always the same. */
-static double draw(uint32_t *state)
-{
-    *state = *state * 1664525u + 1013904223u;
-    return *state / 4294967296.;
-}
-
 static void fill_drawn(uint16_t rgba[4], const unsigned at[3], const void *from)
 {
-    uint32_t *const state = *(uint32_t *const *)from;
+    draws *const random = *(draws *const *)from;
     (void)at;
-    rgba[3] = paper_channel(0.25 * draw(state));
+    rgba[3] = paper_channel(draw_real(random, 0, 0.25));
 }
 
 /* The mean of eight bytes, geometric, as a byte. */
@@ -100,7 +94,7 @@ typedef struct block_error {
     double levels, ours;
 } block_error;
 
-static void measure_block(block_error *worst, uint32_t *state)
+static void measure_block(block_error *worst, draws *random)
 {
     const int32_t first[3] = {0, 0, 0};
     const uint16_t at[3] = {0, 0, 0}, size[3] = {side, side, side};
@@ -110,7 +104,7 @@ static void measure_block(block_error *worst, uint32_t *state)
     paper_volume made;
     attenuated light;
     paper_volume_make(&made, side, side, side);
-    paper_volume_fill(&made, fill_drawn, &state);
+    paper_volume_fill(&made, fill_drawn, &random);
     attenuated_make(&light, &made.volume, ONLY(direction), 3);
     ref_outer_depths(depths, &made.volume, direction);
     const double exact = ref_attenuation(ref_mean_depth(depths, size, 3, first));
@@ -130,7 +124,7 @@ void means(FILE *table)
     enum { blocks = 500 };
     double geometric, arithmetic;
     block_error worst = {0, 0};
-    uint32_t state = 1;
+    draws random = draw_seeded(1);
     means_of_eight(&geometric, &arithmetic, published);
     const uint8_t byte = byte_of_eight(published);
     paper_table_begin(table, "\n## Equation 7: a block of eight voxels");
@@ -138,7 +132,7 @@ void means(FILE *table)
                             0.51 / 255};
     paper_table_add(table, &mean);
     for (int i = 0; i < blocks; i++) {
-        measure_block(&worst, &state);
+        measure_block(&worst, &random);
     }
     const paper_row level3 = {"500 blocks of level 3: byte, farthest off", "-", 0, worst.ours,
                               0.51};

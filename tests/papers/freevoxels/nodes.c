@@ -7,6 +7,7 @@
  * fewer, so that some node gets more of the head than others.
  */
 #include "freevoxels.h"
+#include "draw.h"
 #include "head.h"
 
 #include <math.h>
@@ -15,6 +16,8 @@
 
 enum { edge = 256 /* pixels */, views = 24, factor = 2 /* by which the scan is reduced */ };
 enum { coarsest = 3 };
+
+static const double pi = 3.14159265358979323846;
 
 static const unsigned nodes_counts[] = {8, 16, 32, 64, 96, 128};
 static const unsigned block_sides[] = {1, 4, 8, 16};
@@ -128,18 +131,11 @@ static void draw_level(load *to, const levels *of, const qv_sums *sums, const qv
     }
 }
 
-/* Numbers 0 .. 1 that look drawn at random, always the same. */
-static double drawn(uint32_t *state)
-{
-    *state = *state * 1664525u + 1013904223u;
-    return *state / 4294967296.;
-}
-
 /* From anywhere, and from near to far: part of the head fills the frame, or all of it a part. */
-static void look(qv_splat_scene *scene, const qv_volume *volume, uint32_t *state)
+static void look(qv_splat_scene *scene, const qv_volume *volume, draws *random)
 {
-    const double turn = 360 * drawn(state), up = asin(2 * drawn(state) - 1) * 57.29577951308232;
-    const double zoom = exp2(3 * drawn(state) - 1.5);
+    const double turn = draw_real(random, 0, 360);
+    const double up = asin(draw_real(random, -1, 1)) * 180 / pi, zoom = draw_scale(random, 0.4, 3);
     const paper_view view = {turn, up, 236 / (zoom * edge), 1, edge, edge};
     splat_scene_make(scene, volume, &view);
     scene->splatting = &counted;
@@ -149,13 +145,13 @@ static void look(qv_splat_scene *scene, const qv_volume *volume, uint32_t *state
     scene->detail = 2 << 8;
 }
 
-static void draw_view(load *to, const levels *of, uint32_t *state)
+static void draw_view(load *to, const levels *of, draws *random)
 {
     const size_t count = (size_t)edge * edge * QV_SUM_CHANNELS;
     const qv_sums sums = {paper_memory(count, sizeof(uint32_t)), count, {0, 0, edge, edge}};
     qv_splat_scene scene;
     qv_splats splats;
-    look(&scene, &of->made.volume, state);
+    look(&scene, &of->made.volume, random);
     const qv_status status = qv_splat_init(&splats, &scene);
     paper_require(status == QV_OK, qv_status_text(status));
     memset(to, 0, sizeof *to);
@@ -225,11 +221,11 @@ void nodes(FILE *table, const char *folder)
     static load of_view;
     figure all;
     levels head;
-    uint32_t state = 8;
+    draws random = draw_seeded(8);
     memset(&all, 0, sizeof all);
     levels_make(&head);
     for (int i = 0; i < views; i++) {
-        draw_view(&of_view, &head, &state);
+        draw_view(&of_view, &head, &random);
         add_view(&all, &of_view);
     }
     levels_free(&head);
