@@ -26,9 +26,10 @@ void qv_compass_of(qv_compass *compass, const qv_volume *volume, uint32_t direct
                    uint8_t interpolation);
 
 /*
- * The bearing of v, whose largest magnitude is 2^30 .. 2^31. Sets length to that of a step along it, as
- * part of the longest, Q1.31; of `nearest`, to that of the direction taken. QV_OK, or QV_ERROR_DIRECTION where a
- * direction with a share is not in the set, or the nearest is more than 60 degrees off.
+ * The bearing of v, whose largest magnitude is 2^30 .. 2^31 - 1. Sets length to that of a step
+ * along it, as part of the longest, Q1.31; of QV_NEAREST, to that of the direction taken. QV_OK, or
+ * QV_ERROR_DIRECTION where a direction with a share is not in the set, or the nearest is more than
+ * 60 degrees off.
  */
 qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
                         const int32_t v[3]);
@@ -40,12 +41,14 @@ uint32_t qv_bearing_reach(int32_t corner[4][3]);
 /*
  * Transmittance along a bearing for a voxel with these bytes, Q0.32 with 2^32 - 1 for 1. `inside`:
  * null, or the bytes of the voxel up to which light is followed (section 3.3: A_B / A_V, at most
- * 1). Of one direction it is the byte itself; else within 2^-22, and inside 2^-22 / A_V.
+ * 1). Of one direction it is the byte itself; between light within 2^-18, from fx_reciprocal in
+ * shares and the bits of scales, and between depths within 2^-13, as a scale may be that of a
+ * depth of 10; inside, by 1 / A_V as much.
  */
 uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside);
 
-/* v, halved or doubled until its largest magnitude is 2^30 .. 2^31 - 1; how often it was halved (or,
-   negative, doubled). v is not 0. */
+/* v, halved or doubled until its largest magnitude is 2^30 .. 2^31 - 1; how often it was halved
+   (or, negative, doubled). v is not 0. */
 int qv_bearing_scale(int32_t scaled[3], const int64_t v[3]);
 
 /* The largest magnitude of the components. */

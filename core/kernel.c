@@ -2,9 +2,9 @@
 
 /*
  * Integrals of the kernels from the middle on, 65536 being 1: entry i is that up to i / 64 of
- * half the width. With t in voxels, t - t^2 / 2 for the linear kernel 1 - |t|; and for the quadratic B-spline
- * 3 t / 4 - t^3 / 3 up to 1/2, and 1/2 - (3/2 - t)^3 / 6 from there. To nearest; tests/unit/test_kernel.c computes
- * them again.
+ * half the width. With t in voxels, t - t^2 / 2 for the linear kernel 1 - |t|; and for the
+ * quadratic B-spline 3 t / 4 - t^3 / 3 up to 1/2, and 1/2 - (3/2 - t)^3 / 6 from there. To nearest;
+ * tests/unit/test_footprint.c computes them again.
  */
 
 /* clang-format off */

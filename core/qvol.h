@@ -1169,10 +1169,10 @@ qv_status qv_attenuate(void *to, size_t bytes, uint32_t *blocks, const qv_attenu
  * geometric mean of its voxels' transmittance, which is the mean of their depths. No depth counts
  * as more than 64: so a voxel behind something opaque has a transmittance of 2^-64, and one of
  * eight leaves 2^-8 of its block's. Every level is made of the voxels' depths, not of rounded
- * bytes: within .51. A block that reaches beyond the volume is the mean of what lies inside.
- * attenuation is that of the level. Returns QV_OK or QV_ERROR_NULL, _DIRECTION, _LEVEL (0, or more
- * than the size has), _SIZE (an axis out of range; attenuation->size is not the level's),
- * _ATTENUATION, _OVERLAP (of the two memories).
+ * bytes: within .51, or .59 as above. A block that reaches beyond the volume is the mean of what
+ * lies inside. attenuation is that of the level. Returns QV_OK or QV_ERROR_NULL, _DIRECTION, _LEVEL
+ * (0, or more than the size has), _SIZE (an axis out of range; attenuation->size is not the
+ * level's), _ATTENUATION, _OVERLAP (of the two memories).
  *
  * The mean of a block's depths is more than its depth at the side where light leaves it, so that
  * thick blocks come out too dark. A level of a pyramid given to qv_attenuate as a volume has no
@@ -1221,11 +1221,12 @@ typedef struct qv_lighting {
  * such entries themselves and the block is all of it, tightly packed. attenuation is not read, and
  * may be null, where no lamp shines. interpolation is a qv_interpolation.
  * Colours are rounded to nearest; those of 8 bits are within .51 of exact for the bytes as they
- * are, those of 16 bits within 1.5. Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check,
- * _SIZE (also of the block, or the attenuation's is not the volume's), _DIRECTION (the set is empty
- * or has unknown bits, a lamp shines from between directions of which one is not in it, or the
- * interpolation is unknown), _ATTENUATION, _LIGHT (more lamps than there can be, or a direction of
- * length 0), _BUFFER, _OVERLAP (what is written is also read, but for those voxels).
+ * are, those of 16 bits within 2. QV_BETWEEN_DEPTHS adds 2^-13 for each lamp. Returns QV_OK or
+ * QV_ERROR_NULL, an error of qv_volume_check, _SIZE (also of the block, or the attenuation's is not
+ * the volume's), _DIRECTION (the set is empty or has unknown bits, a lamp shines from between
+ * directions of which one is not in it, or the interpolation is unknown), _ATTENUATION, _LIGHT
+ * (more lamps than there can be, or a direction of length 0), _BUFFER, _OVERLAP (what is written is
+ * also read, but for those voxels).
  */
 qv_status qv_illuminate(void *voxels, size_t bytes, const qv_volume *volume,
                         const qv_attenuation *attenuation, const qv_lighting *lighting,
@@ -1292,7 +1293,7 @@ typedef struct qv_splat_scene {
     qv_volume volume; /* level 0. Its voxels are not read, and may be null */
 } qv_splat_scene;
 
-/* Directions of a volume, and what light from anywhere counts of a voxel's bytes; core/bearing.h. */
+/* Directions of a volume, and what light from anywhere counts of bytes; core/bearing.h. */
 typedef struct qv_compass {
     uint32_t directions, side[3], inverse[8];
     uint8_t interpolation, any_length;
@@ -1349,12 +1350,18 @@ typedef struct qv_freevoxel {
  * remain. So each place is drawn once, whatever is offered in whatever order. What is not among
  * them, has no opacity or lies outside of the frame adds nothing; in perspective neither does what
  * is less than 1/64 or more than 4096 pixels wide, not half a voxel in front of the eye, or more
- * than the frame's width or height from its centre.
+ * than the frame's width or height from its centre. (Nor what QV_NEAREST finds no direction for
+ * within 60 degrees: qv_splat_init tries the corners of such a frame only.)
  *
  * The opacity is that of the voxel's depth along a step towards the viewer, and the weights of a
  * layer of voxels across the view sum to 1: behind a face of a homogeneous medium nothing is lost
- * or counted twice. The weights of one splat sum to its size within 2^-14 pixel on each axis. What
- * is added is within 2^-15 of itself and 2^-16 level of exact for the bytes as they are.
+ * or counted twice. (In perspective, cubes more than 76 degrees off the axis bring too little.) The
+ * weights of one splat sum to its size within 2^-14 pixel on each axis; each is within 2^-12 of the
+ * kernel's mean over the pixel for voxels up to a pixel wide, and within 1/85 for any.
+ *
+ * What a voxel brings to them is within 2^-15 of itself, 2^-18 of what it would bring in full light
+ * (of QV_BETWEEN_DEPTHS, 2^-13) and 2^-16 level of exact for the bytes as they are. Opacities of 16
+ * bits add 2^-18 level for each unit distance in a step beyond 4.
  * Returns QV_OK or QV_ERROR_NULL, _SIZE (no voxel of that level has this position), _LEVEL (more
  * than the volume has), _STRIDE (16-bit entry at an odd address), _RECT, _BUFFER (sums). Sums that
  * are full are told by qv_sums_read_out.

@@ -24,8 +24,8 @@ static uint32_t opacity_of(const qv_splats *splats, const qv_sight *sight, uint3
 }
 
 /*
- * What a voxel of an opacity, Q1.31, brings to a pixel that it covers alone: levels, Q10.22, of colours and
- * opacity.
+ * What a voxel of an opacity, Q1.31, brings to a pixel that it covers alone: levels, Q10.22, of
+ * colours and opacity.
  */
 static void light_of(uint32_t light[4], const qv_splats *splats, const qv_sight *sight,
                      uint32_t opacity, const qv_freevoxel *voxel, fx_unorm16 colour[3])

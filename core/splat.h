@@ -12,9 +12,9 @@
 #include "fx_wide.h"
 #include "qvol.h"
 
-/* Numbers of a qv_splats with an exponent: width and height of a voxel in pixels at the distance of the
-   centre; the gain of a voxel that is one layer of voxels and one world unit thick; the distance
-   from the centre to the eye in world units. */
+/* Numbers of a qv_splats with an exponent: width and height of a voxel in pixels at the distance
+   of the centre; the gain of a voxel that is one layer of voxels and one world unit thick; the
+   distance from the centre to the eye in world units. */
 enum { QV_WIDTH = 0, QV_HEIGHT = 1, QV_GAIN = 2, QV_DISTANCE = 3 };
 
 static inline fx_scaled qv_splats_number(const qv_splats *splats, unsigned which)
@@ -44,7 +44,8 @@ int qv_splats_fine(const qv_splats *splats, fx_scaled enlarged, unsigned level);
 typedef struct qv_sight {
     int64_t x, y;           /* its centre in pixels, Q47.16; whole numbers are centres of pixels */
     uint32_t width, height; /* of the voxel in pixels, Q16.16 */
-    uint32_t gain;          /* what full light of opacity 1 brings: 255 levels, Q10.22 */
+    uint32_t gain;          /* what full light of opacity 1 brings: 255 levels, Q10.22; at most
+                               4 times that, which cubes pass from 76 degrees off the axis on */
     uint32_t length;        /* of a step towards the viewer, as part of the longest, Q1.31 */
     qv_bearing viewer;      /* which of its bytes count */
 } qv_sight;

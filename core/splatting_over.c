@@ -13,7 +13,8 @@ static uint32_t part_of(uint32_t level)
     return 257u * level + (level >> 8) + (level >> 16);
 }
 
-/* Equation 9. Light of a row is Q10.21, of a pixel Q10.20, and goes to levels with 16 fraction bits. */
+/* Equation 9. Light of a row is Q10.21, of a pixel Q10.20, and goes to levels with 16 fraction
+   bits. */
 static void row(uint32_t *sums, const uint16_t *weights, unsigned count, const uint32_t light[4])
 {
     for (unsigned i = 0; i < count; i++, sums += QV_SUM_CHANNELS) {
