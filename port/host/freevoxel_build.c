@@ -3,6 +3,7 @@
  */
 #include "freevoxel_build.h"
 #include "error.h"
+#include "freevoxel_reorder.h"
 #include "parallel.h"
 
 #include <stdlib.h>
@@ -33,18 +34,18 @@ static void copy_slice(void *context, uint32_t z)
 {
     const struct build *build = context;
     const struct freevoxel_level *level = &build->file.header.levels[build->level];
-    const qv_order *order = freevoxel_order(&build->file.header);
     const qv_volume *volume = &build->level_volume;
+    uint64_t before = (uint64_t)z * level->size[0] * level->size[1];
+    uint8_t *record = build->bytes + level->offset + before * level->record;
     uint16_t position[3] = {0, 0, (uint16_t)z};
     for (; position[1] < level->size[1]; position[1]++) {
         for (position[0] = 0; position[0] < level->size[0]; position[0]++) {
-            uint64_t index = order->index(level->size, position);
             int64_t place = 0; /* within the volume's memory */
             for (unsigned a = 0; a < 3; a++) {
                 place += (int64_t)volume->stride[a] * position[a];
             }
-            freevoxel_put_voxel(build->bytes + level->offset + index * level->record, level,
-                                volume->voxels + place);
+            freevoxel_put_voxel(record, level, volume->voxels + place);
+            record += level->record;
         }
     }
 }
@@ -146,9 +147,10 @@ static void build_direction(void *context, uint32_t rank)
     free(blocks);
 }
 
-void freevoxel_build(uint8_t *bytes, const struct freevoxel_header *header, const qv_volume *volume,
-                     const struct levels *levels, const struct model *model,
-                     const struct settings *settings)
+/* The levels in linear order. */
+static void build_linear(uint8_t *bytes, const struct freevoxel_header *header,
+                         const qv_volume *volume, const struct levels *levels,
+                         const struct model *model, const struct settings *settings)
 {
     bool stored = storage_holds_extinction((qv_storage)volume->storage);
     struct build build = {.bytes = bytes,
@@ -159,7 +161,22 @@ void freevoxel_build(uint8_t *bytes, const struct freevoxel_header *header, cons
                           .domain = stored ? &qv_domain_stored : &qv_domain_extinction};
     struct parallel work = {build_direction, &build, qv_directions_count(header->directions),
                             settings->threads, progress_label(settings->quiet, "attenuating")};
-    freevoxel_header_write(bytes, header);
+    build.file.header.order = FREEVOXEL_LINEAR;
     copy_voxels(&build, settings);
     parallel_run(&work);
+}
+
+void freevoxel_build(uint8_t *bytes, const struct freevoxel_header *header, const qv_volume *volume,
+                     const struct levels *levels, const struct model *model,
+                     const struct settings *settings)
+{
+    freevoxel_header_write(bytes, header);
+    if (header->order == FREEVOXEL_LINEAR) {
+        build_linear(bytes, header, volume, levels, model, settings);
+    } else {
+        uint8_t *linear = allocate(header->total_bytes, model->scan.file, "order");
+        build_linear(linear, header, volume, levels, model, settings);
+        freevoxel_reorder(bytes, header, linear, settings);
+        free(linear);
+    }
 }
