@@ -103,28 +103,33 @@ static qv_status set_part(qv_bearing *bearing, unsigned part, const qv_compass *
     return QV_OK;
 }
 
-/* Length of a vector of parts of the longest step, Q1.31, which none is longer than: the root of
-   their squares may be, by its own error. */
-static uint32_t length_within(const uint32_t way[3])
+/* v as parts of its largest magnitude, Q2.30, on its axes by falling magnitude; and a last of 0. */
+static void split(unsigned axis[3], uint32_t part[4], const int32_t v[3])
+{
+    sort_axes(axis, v);
+    part[0] = ONE_Q30;
+    for (unsigned i = 1; i < 3; i++)
+        part[i] = share_of(magnitude(v[axis[i]]), magnitude(v[axis[0]]));
+    part[3] = 0;
+}
+
+/* Length of v's step as part of the longest, Q1.31, which none is longer than: the root of the
+   squares may be, by its own error. */
+static uint32_t step_length(const qv_compass *compass, const unsigned axis[3],
+                            const uint32_t part[4])
 {
     const uint32_t longest = (uint32_t)1 << 31;
+    uint32_t way[3];
+    for (unsigned i = 0; i < 3; i++) /* part * side <= 2^30 * 2^31 */
+        way[i] = (uint32_t)(fx_wide_product(part[i], compass->side[axis[i]]) >> 30);
     uint32_t length = qv_length_of(way);
     return length < longest ? length : longest;
 }
 
 /* Between three directions. Where one has all of the share, its byte says it all. */
-static qv_status between(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
-                         const int32_t v[3])
+static qv_status between(qv_bearing *bearing, const qv_compass *compass, const int32_t v[3],
+                         const unsigned axis[3], const uint32_t part[4], uint32_t length)
 {
-    unsigned axis[3];
-    uint32_t part[4] = {ONE_Q30, 0, 0, 0}, way[3];
-    sort_axes(axis, v);
-    for (unsigned i = 1; i < 3; i++)
-        part[i] = share_of(magnitude(v[axis[i]]), magnitude(v[axis[0]]));
-    for (unsigned i = 0; i < 3; i++) /* part * side <= 2^30 * 2^31 */
-        way[i] = (uint32_t)(fx_wide_product(part[i], compass->side[axis[i]]) >> 30);
-    *length = length_within(way);
-    set_one(bearing, 0);
     bearing->of_depths = compass->interpolation == QV_BETWEEN_DEPTHS;
     for (unsigned i = 0; i < 3; i++) {
         int8_t step[3];
@@ -132,7 +137,7 @@ static qv_status between(qv_bearing *bearing, uint32_t *length, const qv_compass
         if (bearing->share[i] == 0)
             continue;
         direction_of(step, v, axis, i + 1u);
-        qv_status status = set_part(bearing, i, compass, step, *length);
+        qv_status status = set_part(bearing, i, compass, step, length);
         if (status != QV_OK)
             return status;
         if (bearing->share[i] == ONE_Q30)
@@ -155,23 +160,12 @@ static int64_t cosine_of(const qv_compass *compass, const int32_t w[3], const in
     return fx_multiply(dot, (int32_t)(compass->inverse[axes_of(step)] >> 1)); /* < 2^32 * 2^31 */
 }
 
-/* Length of a direction's step as part of the longest, Q1.31. */
-static uint32_t step_length(const qv_compass *compass, const int8_t step[3])
-{
-    uint32_t way[3];
-    for (unsigned axis = 0; axis < 3; axis++)
-        way[axis] = step[axis] != 0 ? compass->side[axis] : 0;
-    return length_within(way);
-}
-
-/* The direction of the set that is nearest by angle; of equals, the one with the lowest number.
-   Cosines below 1/2 are refused. */
-static qv_status nearest(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
-                         const int32_t v[3])
+/* The direction of the set that is nearest by angle, of equals the one with the lowest number;
+   QV_DIRECTIONS where all cosines are at most 1/2. */
+static uint8_t nearest_of(const qv_compass *compass, const int32_t v[3])
 {
     int32_t world[3];
     uint32_t size[3];
-    int8_t step[3];
     uint8_t taken = QV_DIRECTIONS;
     for (unsigned axis = 0; axis < 3; axis++) {
         size[axis] = (uint32_t)(fx_wide_product(magnitude(v[axis]), compass->side[axis]) >> 31);
@@ -179,6 +173,7 @@ static qv_status nearest(qv_bearing *bearing, uint32_t *length, const qv_compass
     }
     int64_t best = (int64_t)((uint64_t)qv_length_of(size) << 17);
     for (uint8_t direction = 0; direction < QV_DIRECTIONS; direction++) {
+        int8_t step[3];
         if ((compass->directions >> direction & 1u) == 0)
             continue;
         qv_direction_step(step, direction);
@@ -188,19 +183,44 @@ static qv_status nearest(qv_bearing *bearing, uint32_t *length, const qv_compass
             taken = direction;
         }
     }
-    if (taken == QV_DIRECTIONS)
+    return taken;
+}
+
+/* Whether v goes exactly along a direction that is not its opposite. */
+static int is_along(const int32_t v[3], const int8_t step[3])
+{
+    uint32_t largest = qv_bearing_largest(v);
+    for (unsigned axis = 0; axis < 3; axis++)
+        if (magnitude(v[axis]) != (step[axis] != 0 ? largest : 0u))
+            return 0;
+    return 1;
+}
+
+/* By the nearest direction, scaled to the length of v's step. */
+static qv_status nearest(qv_bearing *bearing, const qv_compass *compass, const int32_t v[3],
+                         uint32_t length)
+{
+    int8_t step[3];
+    uint8_t direction = nearest_of(compass, v);
+    if (direction == QV_DIRECTIONS)
         return QV_ERROR_DIRECTION;
-    qv_direction_step(step, taken);
-    *length = step_length(compass, step);
-    set_one(bearing, qv_direction_slot(compass->directions, taken));
-    return QV_OK;
+    qv_direction_step(step, direction);
+    qv_status status = set_part(bearing, 0, compass, step, length);
+    if (is_along(v, step))
+        set_one(bearing, bearing->slot[0]);
+    return status;
 }
 
 qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
                         const int32_t v[3])
 {
-    return compass->interpolation == QV_NEAREST ? nearest(bearing, length, compass, v)
-                                                : between(bearing, length, compass, v);
+    unsigned axis[3];
+    uint32_t part[4];
+    split(axis, part, v);
+    *length = step_length(compass, axis, part);
+    set_one(bearing, 0);
+    return compass->interpolation == QV_NEAREST ? nearest(bearing, compass, v, *length)
+                                                : between(bearing, compass, v, axis, part, *length);
 }
 
 /* Whether `sign` * v on one axis is more than `other_sign` * v on another, for some corner. */

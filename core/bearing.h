@@ -27,9 +27,8 @@ void qv_compass_of(qv_compass *compass, const qv_volume *volume, uint32_t direct
 
 /*
  * The bearing of v, whose largest magnitude is 2^30 .. 2^31 - 1. Sets length to that of a step
- * along it, as part of the longest, Q1.31; of QV_NEAREST, to that of the direction taken. QV_OK, or
- * QV_ERROR_DIRECTION where a direction with a share is not in the set, or the nearest is more than
- * 60 degrees off.
+ * along it, as part of the longest, Q1.31. QV_OK, or QV_ERROR_DIRECTION where a direction with a
+ * share is not in the set, or the nearest is more than 60 degrees off.
  */
 qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass *compass,
                         const int32_t v[3]);

@@ -200,7 +200,8 @@ double ref_depth_of_bytes(const void *in, int level, const int32_t at[3], const 
     const uint8_t *of = byte_at(bytes, level, at);
     triangle found;
     if (bytes->light == REF_LIGHT_NEAREST) {
-        return byte_depth(of[ref_nearest_direction(volume, bytes->directions, v)]);
+        const int direction = ref_nearest_direction(volume, bytes->directions, v);
+        return byte_depth(of[direction]) * scale_to(volume, direction, v);
     }
     ref_surround(&found.around, v);
     if (all_dark(&found.around, of)) {

@@ -195,20 +195,6 @@ static void illuminate(double light[3], const ref_splats *splats, int level, con
     }
 }
 
-/* The way along which a voxel's opacity counts: to the viewer, or as light is taken to go. */
-static void way_of_light(double v[3], const ref_splats *splats, const double toward[3])
-{
-    const qv_splat_scene *scene = splats->scene;
-    const uint32_t directions = splats->over ? QV_DIRECTIONS_ALL : scene->directions;
-    int step[3];
-    if (scene->interpolation == QV_NEAREST) {
-        ref_direction_step(step, ref_nearest_direction(&splats->levels[0], directions, toward));
-    }
-    for (int axis = 0; axis < 3; axis++) {
-        v[axis] = scene->interpolation == QV_NEAREST ? step[axis] : toward[axis];
-    }
-}
-
 /* The opacity of a voxel along a step. Where opacities hold for a step of any direction, it is
    one of level 0. */
 static double step_opacity(const ref_splats *splats, int level, double channel, const double v[3])
@@ -252,11 +238,10 @@ static double layer_weight(const ref_splats *splats, const double toward[3])
 static void make_splat(splat *made, const ref_splats *splats, int level, const int32_t at[3])
 {
     const double *toward = made->footprint.toward;
-    double rgba[4], lit[3], v[3];
+    double rgba[4], lit[3];
     ref_voxel(rgba, &splats->levels[level], at);
     illuminate(lit, splats, level, at);
-    way_of_light(v, splats, toward);
-    made->light[3] = step_opacity(splats, level, rgba[3], v);
+    made->light[3] = step_opacity(splats, level, rgba[3], toward);
     for (int channel = 0; channel < 3; channel++) {
         made->light[channel] = rgba[channel] * lit[channel] * made->light[3];
     }

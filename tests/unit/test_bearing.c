@@ -177,6 +177,19 @@ static void missing_directions_are_refused(void **state)
     }
 }
 
+/* All of the share is one direction's, whose depth is scaled to the length of v's step. */
+static void check_nearest(const qv_volume *volume, const qv_bearing *bearing, uint32_t set,
+                          const int32_t v[3])
+{
+    assert_int_equal(bearing->share[0], 1u << 30);
+    for (uint8_t d = 0; d < QV_DIRECTIONS; d++) {
+        if ((set >> d & 1u) == 0 || qv_direction_slot(set, d) != bearing->slot[0])
+            continue;
+        const double by = model_scale(volume, v, d);
+        assert_true(fabs((double)bearing->scale[0] / QV_BEARING_ONE - by) <= ldexp(1 + by, -16));
+    }
+}
+
 /* The nearest by angle in world units, of any set; none beyond 60 degrees. */
 static void nearest_directions(void **state)
 {
@@ -214,6 +227,8 @@ static void nearest_directions(void **state)
                 taken = cosine;
         }
         refused += status != QV_OK;
+        if (status == QV_OK)
+            check_nearest(&volume, &bearing, set, v);
         if (status == QV_OK)
             assert_true(taken >= best - TOLERANCE && best > .5 - TOLERANCE);
         else
