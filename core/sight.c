@@ -96,6 +96,8 @@ static int set_viewer(qv_sight *sight, const qv_splats *splats, const int32_t ha
     int32_t scaled[3];
     for (unsigned axis = 0; axis < 3; axis++)
         v[axis] = splats->eye[axis] - (int64_t)half[axis] * 65536; /* half voxels, Q.16 */
+    if (!qv_bearing_leads(v))
+        return 0;
     int halved = qv_bearing_scale(scaled, v);
     fx_scaled layers = fx_scaled_of(qv_bearing_largest(scaled), halved - 17);
     fx_scaled per_unit = fx_scaled_over(layers, fx_scaled_of((uint64_t)ahead, -32));
