@@ -133,9 +133,11 @@ int qv_sight_of(qv_sight *sight, const qv_splats *splats, const int32_t half[3],
     const qv_view *view = &splats->scene.view;
     int drawn = splats->scene.field_of_view == 0 ? sight_orthographic(sight, splats, half, level)
                                                  : sight_perspective(sight, splats, half, level);
+    if (!drawn)
+        return 0;
     sight->x += frame_centre(view->width);
     sight->y += frame_centre(view->height);
-    return drawn;
+    return 1;
 }
 
 /* ---- Levels ----------------------------------------------------------------- */
