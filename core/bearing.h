@@ -46,6 +46,13 @@ uint32_t qv_bearing_reach(int32_t corner[4][3]);
  */
 uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, qv_address inside);
 
+/* Whether v leads anywhere. Rows of a view that are almost a rotation may put a voxel, or a corner
+   of the frame, at the eye. */
+static inline int qv_bearing_leads(const int64_t v[3])
+{
+    return (v[0] | v[1] | v[2]) != 0;
+}
+
 /* v, halved or doubled until its largest magnitude is 2^30 .. 2^31 - 1; how often it was halved
    (or, negative, doubled). v is not 0. */
 int qv_bearing_scale(int32_t scaled[3], const int64_t v[3]);

@@ -96,6 +96,8 @@ static int set_viewer(qv_sight *sight, const qv_splats *splats, const int32_t ha
     int32_t scaled[3];
     for (unsigned axis = 0; axis < 3; axis++)
         v[axis] = splats->eye[axis] - (int64_t)half[axis] * 65536; /* half voxels, Q.16 */
+    if (!qv_bearing_leads(v))
+        return 0;
     int halved = qv_bearing_scale(scaled, v);
     fx_scaled layers = fx_scaled_of(qv_bearing_largest(scaled), halved - 17);
     fx_scaled per_unit = fx_scaled_over(layers, fx_scaled_of((uint64_t)ahead, -32));
@@ -131,9 +133,11 @@ int qv_sight_of(qv_sight *sight, const qv_splats *splats, const int32_t half[3],
     const qv_view *view = &splats->scene.view;
     int drawn = splats->scene.field_of_view == 0 ? sight_orthographic(sight, splats, half, level)
                                                  : sight_perspective(sight, splats, half, level);
+    if (!drawn)
+        return 0;
     sight->x += frame_centre(view->width);
     sight->y += frame_centre(view->height);
-    return drawn;
+    return 1;
 }
 
 /* ---- Levels ----------------------------------------------------------------- */

@@ -98,7 +98,7 @@ static int64_t half_in_pixels(int32_t row, uint32_t spacing, uint32_t pitch)
 static fx_scaled width_across(const int32_t row[3], const uint32_t spacing[3])
 {
     uint32_t v[3];
-    for (unsigned axis = 0; axis < 3; axis++) /* Q30 * Q16 to Q23, below 2^31 */
+    for (unsigned axis = 0; axis < 3; axis++) /* Q30 * Q16 to Q23, at most 2^31 + 2^21 */
         v[axis] =
             (uint32_t)(fx_wide_product(magnitude(row[axis]), qv_spacing(spacing, axis)) >> 23);
     return fx_scaled_of(qv_length_of(v), -23);
@@ -206,9 +206,9 @@ static qv_status set_orthographic(qv_splats *splats)
 }
 
 /* From what an eye sees at a corner of a rectangle twice as wide and high as the frame, the way to
-   the eye. Voxels whose centres lie beyond are not drawn. */
-static void corner_of(int32_t scaled[3], const qv_splat_scene *scene, qv_coord distance,
-                      unsigned corner)
+   the eye; 0 where that is no way at all. Voxels whose centres lie beyond are not drawn. */
+static int corner_of(int32_t scaled[3], const qv_splat_scene *scene, qv_coord distance,
+                     unsigned corner)
 {
     const qv_view *view = &scene->view;
     int64_t width = (int64_t)fx_wide_product(view->pitch, view->width) << 16; /* < 2^56 */
@@ -222,7 +222,10 @@ static void corner_of(int32_t scaled[3], const qv_splat_scene *scene, qv_coord d
         world[axis] += (corner & 2u) != 0 ? down : -down;
     }
     to_voxels(v, world, scene->volume.spacing);
+    if (!qv_bearing_leads(v))
+        return 0;
     (void)qv_bearing_scale(scaled, v);
+    return 1;
 }
 
 /* Light must be known from all directions by which it may come, and be seen where the eye is. */
@@ -233,7 +236,8 @@ static qv_status check_reach(const qv_splats *splats, qv_coord distance)
     qv_bearing bearing;
     uint32_t length;
     for (unsigned i = 0; i < 4; i++) {
-        corner_of(corner[i], scene, distance, i);
+        if (!corner_of(corner[i], scene, distance, i))
+            return QV_ERROR_VIEW;
         if (scene->interpolation == QV_NEAREST &&
             qv_bearing_of(&bearing, &length, &splats->compass, corner[i]) != QV_OK)
             return QV_ERROR_DIRECTION;

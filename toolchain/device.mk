@@ -40,13 +40,13 @@ FIRMWARE_golden_splats := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_s
 FIRMWARE_bench := tests/bench/bench_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_blends := tests/bench/blends_device.c
-BALL_IN_FLASH := $(TARGET_PORT_FOLDER)/ball_flash.c tests/device/ball.c
+BALL_IN_FLASH := $(TARGET_PORT_FOLDER)/ball_flash.c port/ball.c
 FIRMWARE_ball := port/firmware_ball.c $(BALL_IN_FLASH)
 FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
 FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
 
 DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \
-	-Icore -Ifixedpoint -Iport -I$(TARGET_PORT_FOLDER) -Itests/device -I$(OUT)
+	-Icore -Ifixedpoint -Iport -I$(TARGET_PORT_FOLDER) -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
 DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CFLAGS) $(TARGET_LDFLAGS))
 
@@ -84,14 +84,14 @@ $(foreach name,$(TARGET_FIRMWARE),$(eval $(call link_firmware,$(name))))
 
 # Of the library, what qv_attenuate calls: all of it takes long to compile.
 BALL_WRITE := $(BUILD)/device/ball_write
-BALL_SOURCES := $(addprefix tests/device/,ball.c ball_make.c ball_host.c ball_write.c) \
+BALL_SOURCES := port/ball.c $(addprefix tests/device/,ball_make.c ball_host.c ball_write.c) \
 	$(patsubst %,core/%.c,attenuate attenuation direction domain_extinction layout order \
 	order_linear overlap thickness volume) $(wildcard fixedpoint/*.c)
 
-$(BALL_WRITE): $(BALL_SOURCES) $(wildcard tests/device/ball*.h core/*.h fixedpoint/*.h)
+$(BALL_WRITE): $(BALL_SOURCES) port/ball.h tests/device/ball_make.h $(wildcard core/*.h fixedpoint/*.h)
 	@mkdir -p $(@D)
 	@echo "  CC  $@"
-	@$(HOST_CC) -std=c99 $(WARNINGS) -O2 -Icore -Ifixedpoint -Itests/device $(BALL_SOURCES) -o $@
+	@$(HOST_CC) -std=c99 $(WARNINGS) -O2 -Icore -Ifixedpoint -Iport $(BALL_SOURCES) -o $@
 
 $(OUT)/ball.volume: $(BALL_WRITE)
 	@mkdir -p $(@D)

@@ -46,9 +46,9 @@ library() { # that of this machine
 count_here() {
     library
     $CC -std=c99 -D_DEFAULT_SOURCE -O2 tests/emulator/steps.c -o "$work/steps"
-    $CC -std=c99 -D_POSIX_C_SOURCE=200809L -O2 -Icore -Ifixedpoint -Iport -Itests/device \
+    $CC -std=c99 -D_POSIX_C_SOURCE=200809L -O2 -Icore -Ifixedpoint -Iport \
         tests/bench/freevoxels_device.c tests/bench/board_steps.c port/crc32.c \
-        tests/device/ball.c tests/device/ball_make.c tests/device/ball_host.c \
+        port/ball.c tests/device/ball_make.c tests/device/ball_host.c \
         "$BUILD/bench-host/host/libqvol.a" -o "$work/program"
     : >"$work/host"
     if "$work/steps" "$work/program" "out=$work/regions" >"$work/results"; then

@@ -1,6 +1,6 @@
 /*
  * freevoxels_device.c - instructions of FreeVoxels: one measured region (port/measure.h) for
- * each subject, over the ball of tests/device/ball.h; the first is empty. Prints a line for each:
+ * each subject, over the ball of port/ball.h; the first is empty. Prints a line for each:
  * name, what its instructions are divided by, pixels that it changed, and a checksum of the results,
  * which is the same on every machine; a bar between them.
  */

@@ -7,7 +7,7 @@ set -eu
 . tests/tap
 : "${BUILD:=build}" "${CC:=cc}"
 
-VOXELS=2197 # of tests/device/ball.h
+VOXELS=2197 # of port/ball.h
 STRIPS=4    # of a frame of port/firmware_ball.c, each of all voxels
 RAM=16384
 GAP=256        # bytes that stay between data and stack: shorter ones may be paint by chance
@@ -16,8 +16,8 @@ EMULATOR_SECONDS=${EMULATOR_SECONDS:-900}
 export BUILD EMULATOR_SECONDS
 
 compile() { # compile FIRMWARE PROGRAM: for this machine
-    $CC -std=c99 -O2 -Icore -Ifixedpoint -Iport -Itests/device "$1" port/crc32.c \
-        tests/bench/board_host.c tests/device/ball.c tests/device/ball_make.c \
+    $CC -std=c99 -O2 -Icore -Ifixedpoint -Iport "$1" port/crc32.c \
+        tests/bench/board_host.c port/ball.c tests/device/ball_make.c \
         tests/device/ball_host.c core/*.c fixedpoint/*.c -o "$2"
 }
 

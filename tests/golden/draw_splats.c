@@ -51,7 +51,7 @@ static void draw_picture(golden_scene *golden, uint32_t *state)
     rect->left = (int32_t)random_below(state, 3) - 1;
     rect->top = (int32_t)random_below(state, 3) - 1;
     rect->right = rect->left + 4 + (int32_t)random_below(state, 3);
-    rect->bottom = rect->top + 4 + (int32_t)random_below(state, 4);
+    rect->bottom = rect->top + 4 + (int32_t)random_below(state, 3);
     golden->width = (uint16_t)(rect->right - 1 + (int32_t)random_below(state, 3));
     golden->height = (uint16_t)(rect->bottom - 1 + (int32_t)random_below(state, 3));
 }

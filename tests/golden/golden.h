@@ -261,23 +261,23 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0xd476f1b5u, /* 249 weighted, rgba8, hardware_rgb565, perspective, grey4 */
     0x6cb0fcbdu, /* 250 weighted, rgba16, hardware_rgba12, perspective, mono_horizontal */
     0x3080992du, /* 251 weighted, indexed8, hand_out_rgba8888, perspective, mono_vertical */
-    0x5f110aa2u, /* 252 freevoxels, rgba8, added linear, orthographic, rgba8888 */
-    0xaea4aee0u, /* 253 freevoxels, rgba16, added quadratic, orthographic, bgra8888 */
-    0x7dc6d632u, /* 254 freevoxels, indexed8, over linear, perspective, rgb888 */
+    0x8f3426a8u, /* 252 freevoxels, rgba8, added linear, orthographic, rgba8888 */
+    0x4cb045efu, /* 253 freevoxels, rgba16, added quadratic, orthographic, bgra8888 */
+    0x34557ceeu, /* 254 freevoxels, indexed8, over linear, perspective, rgb888 */
     0xc34e9a81u, /* 255 freevoxels, indexed8_16, over quadratic, orthographic, rgb565_le */
-    0x5e30b0aeu, /* 256 freevoxels, rgba8, lit, perspective, rgb565_be */
+    0x8da6e803u, /* 256 freevoxels, rgba8, lit, perspective, rgb565_be */
     0x22cf91a7u, /* 257 freevoxels, rgba16, added linear, orthographic, l8 */
-    0x0e430ae5u, /* 258 freevoxels, indexed8, added quadratic, perspective, grey4 */
-    0xf9b32c97u, /* 259 freevoxels, indexed8_16, over linear, perspective, mono_horizontal */
+    0xdbdf4fc5u, /* 258 freevoxels, indexed8, added quadratic, perspective, grey4 */
+    0x89cab150u, /* 259 freevoxels, indexed8_16, over linear, perspective, mono_horizontal */
     0x772517c3u, /* 260 freevoxels, rgbt8, over quadratic, orthographic, mono_vertical */
     0x5e69f0a2u, /* 261 freevoxels, rgbt16, lit, perspective, rgba8888 */
-    0x4be4e95cu, /* 262 freevoxels, indexed8_t8, added linear, orthographic, bgra8888 */
-    0x36ef434bu, /* 263 freevoxels, indexed8_t16, added quadratic, orthographic, rgb888 */
+    0x9c2f24c9u, /* 262 freevoxels, indexed8_t8, added linear, orthographic, bgra8888 */
+    0x56553244u, /* 263 freevoxels, indexed8_t16, added quadratic, orthographic, rgb888 */
     0xeda657a3u, /* 264 freevoxels, rgba8, over linear, perspective, rgb565_le */
     0x8cee2229u, /* 265 freevoxels, rgba16, over quadratic, perspective, rgb565_be */
     0x13324c63u, /* 266 freevoxels, indexed8, lit, orthographic, l8 */
-    0xc1144d6du, /* 267 freevoxels, indexed8_16, added linear, perspective, grey4 */
-    0xd07c3241u, /* 268 freevoxels, rgba8, added quadratic, orthographic, mono_horizontal */
+    0x50d9c0c3u, /* 267 freevoxels, indexed8_16, added linear, perspective, grey4 */
+    0x21f4e4a8u, /* 268 freevoxels, rgba8, added quadratic, orthographic, mono_horizontal */
     0x0cfe3c96u, /* 269 freevoxels, rgba16, over linear, orthographic, mono_vertical */
     0x87c3be63u, /* 270 freevoxels, indexed8, over quadratic, perspective, rgba8888 */
     0x57d8c0fau, /* 271 freevoxels, indexed8_16, lit, orthographic, bgra8888 */
@@ -285,18 +285,18 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0xe8e56d97u, /* 273 freevoxels, rgbt16, added quadratic, perspective, rgb565_le */
     0x226d5c55u, /* 274 freevoxels, indexed8_t8, over linear, perspective, rgb565_be */
     0x3a018364u, /* 275 freevoxels, indexed8_t16, over quadratic, perspective, l8 */
-    0xfab156f4u, /* 276 freevoxels, rgba8, lit, orthographic, grey4 */
+    0x4b2d3e79u, /* 276 freevoxels, rgba8, lit, orthographic, grey4 */
     0x3c3ce3d3u, /* 277 freevoxels, rgba16, added linear, perspective, mono_horizontal */
-    0x838eaf98u, /* 278 freevoxels, indexed8, added quadratic, orthographic, mono_vertical */
+    0xcc080d5cu, /* 278 freevoxels, indexed8, added quadratic, orthographic, mono_vertical */
     0x6b4d5766u, /* 279 freevoxels, indexed8_16, over linear, orthographic, rgba8888 */
-    0x9b860a8cu, /* 280 freevoxels, rgba8, over quadratic, perspective, bgra8888 */
-    0x5a2c729du, /* 281 freevoxels, rgba16, lit, orthographic, rgb888 */
+    0x4838ed4eu, /* 280 freevoxels, rgba8, over quadratic, perspective, bgra8888 */
+    0x4f2188d0u, /* 281 freevoxels, rgba16, lit, orthographic, rgb888 */
     0x11e1617cu, /* 282 freevoxels, indexed8, added linear, perspective, rgb565_le */
-    0x99af8890u, /* 283 freevoxels, indexed8_16, added quadratic, perspective, rgb565_be */
+    0xfb864a82u, /* 283 freevoxels, indexed8_16, added quadratic, perspective, rgb565_be */
     0x19a3fcc7u, /* 284 freevoxels, rgbt8, over linear, orthographic, l8 */
     0xa133e97cu, /* 285 freevoxels, rgbt16, over quadratic, orthographic, grey4 */
-    0xc007f777u, /* 286 freevoxels, indexed8_t8, lit, perspective, mono_horizontal */
-    0x748b9390u, /* 287 freevoxels, indexed8_t16, added linear, orthographic, mono_vertical */
+    0xacab9babu, /* 286 freevoxels, indexed8_t8, lit, perspective, mono_horizontal */
+    0x8f7bdbecu, /* 287 freevoxels, indexed8_t16, added linear, orthographic, mono_vertical */
 };
 
 #endif /* GOLDEN_H */

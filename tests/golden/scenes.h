@@ -224,7 +224,7 @@ void golden_name(const char *word[GOLDEN_WORDS], const golden_scene *golden);
 enum { GOLDEN_VOXEL_BYTES = 5120, GOLDEN_SCALARS = 512, GOLDEN_PIXEL_BYTES = 2560 };
 
 /* Most pixels of a picture of splats, and the sums that they take: of all, and of a part. */
-enum { GOLDEN_SPLAT_PIXELS = 42, GOLDEN_SUMS = GOLDEN_SPLAT_PIXELS * QV_SUM_CHANNELS };
+enum { GOLDEN_SPLAT_PIXELS = 36, GOLDEN_SUMS = GOLDEN_SPLAT_PIXELS * QV_SUM_CHANNELS };
 
 /* All that a scene's data needs. */
 typedef struct golden_memory {

@@ -283,6 +283,36 @@ static void inside_without_an_eye_inside(void **state)
     }
 }
 
+/* A view whose rows are short by 2^-10, so that the eye is nearer to a voxel than it seems: in its
+   centre. */
+static void voxel_at_the_eye(void **state)
+{
+    static splat_fixture f;
+    static const int32_t rows[3][3] = {{0x40000000, 0, 0}, {0, 0, -0x40000000}, {0, 0x3FF00001, 0}};
+    static const uint8_t voxel[4] = {255, 255, 255, 255};
+    uint8_t bytes[QV_DIRECTIONS];
+    uint16_t eye[3];
+    qv_splats splats;
+    (void)state;
+    splat_begin(&f, 60, 0);
+    memset(bytes, 255, sizeof bytes);
+    memcpy(f.scene.view.rotation, rows, sizeof rows);
+    f.scene.view.pitch = QV_ONE_Q16;
+    f.scene.view.width = f.scene.view.height = 1000;
+    f.scene.field_of_view = 0x2D0D4D4E;
+    f.scene.inside = bytes;
+    f.scene.volume.size[0] = f.scene.volume.size[2] = 1;
+    f.scene.volume.size[1] = QV_AXIS_MAX;
+    splat_init(&splats, &f);
+    assert_int_equal(qv_splat_eye(eye, &f.scene), 1);
+    const qv_freevoxel at_eye = {voxel, bytes, {0, eye[1], 0}, 0};
+    assert_int_equal(splats.eye[1], (2 * eye[1] + 1 - (int)QV_AXIS_MAX) * 65536);
+    assert_int_equal(qv_sums_clear(&f.target, &splats), QV_OK);
+    assert_int_equal(qv_splat(&f.target, &splats, &at_eye), QV_OK);
+    for (unsigned i = 0; i < FRAME * FRAME * QV_SUM_CHANNELS; i++)
+        assert_int_equal(f.sums[i], 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -295,6 +325,7 @@ int main(void)
         cmocka_unit_test(background),
         cmocka_unit_test(what_lies_in_front),
         cmocka_unit_test(inside_without_an_eye_inside),
+        cmocka_unit_test(voxel_at_the_eye),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -101,6 +101,20 @@ static void views(void **state)
     expect_scene(&f.scene, QV_OK);
 }
 
+/* Rows of which one lies in the plane of the others: a corner of twice the frame is at the eye. */
+static void corner_at_the_eye(void **state)
+{
+    static const int32_t flat[3][3] = {
+        {0x40000000, 0, 0}, {0, 0x40000000, 0}, {0x26666666, 0x33333333, 0}};
+    (void)state;
+    memcpy(f.scene.view.rotation, flat, sizeof flat);
+    f.scene.view.width = 30;
+    f.scene.view.height = 40;
+    f.scene.field_of_view = 0x1F01A6A5; /* its cotangent is 5 / 2 */
+    f.scene.volume.size[2] = 1;
+    expect_scene(&f.scene, QV_ERROR_VIEW);
+}
+
 static void levels_and_lights(void **state)
 {
     (void)state;
@@ -355,11 +369,17 @@ static int begin(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(null_pointers),  cmocka_unit_test(volumes),
-        cmocka_unit_test(views),          cmocka_unit_test(levels_and_lights),
-        cmocka_unit_test(directions),     cmocka_unit_test(eyes_inside),
-        cmocka_unit_test(voxels),         cmocka_unit_test(sums_out_of_bounds),
-        cmocka_unit_test(sums_of_others), cmocka_unit_test(blocks),
+        cmocka_unit_test(null_pointers),
+        cmocka_unit_test(volumes),
+        cmocka_unit_test(views),
+        cmocka_unit_test(corner_at_the_eye),
+        cmocka_unit_test(levels_and_lights),
+        cmocka_unit_test(directions),
+        cmocka_unit_test(eyes_inside),
+        cmocka_unit_test(voxels),
+        cmocka_unit_test(sums_out_of_bounds),
+        cmocka_unit_test(sums_of_others),
+        cmocka_unit_test(blocks),
         cmocka_unit_test(streams),
     };
     return cmocka_run_group_tests(tests, begin, NULL);

@@ -66,6 +66,7 @@ static void draw_level(paper_picture *made, const subject *of, const paper_view 
 typedef struct levels_error {
     double rms[coarsest_level + 1][WAYS];        /* levels of 8 bits */
     double brightness[coarsest_level + 1][WAYS]; /* of level 0's */
+    double opacity[coarsest_level + 1][WAYS];    /* of level 0's */
 } levels_error;
 
 static double brightness_of(const paper_picture *of)
@@ -77,11 +78,21 @@ static double brightness_of(const paper_picture *of)
     return sum;
 }
 
+static double opacity_of(const paper_picture *of)
+{
+    double sum = 0;
+    for (size_t i = 0; i < (size_t)edge * edge; i++) {
+        sum += of->rgba[i][3];
+    }
+    return sum;
+}
+
 static void compare_level(levels_error *into, const paper_picture *level,
                           const paper_picture *first, uint8_t number, way by)
 {
     into->rms[number][by] += paper_rms(first, level);
     into->brightness[number][by] += brightness_of(level) / brightness_of(first);
+    into->opacity[number][by] += opacity_of(level) / opacity_of(first);
 }
 
 static void write_level(const char *folder, const char *name, const paper_picture *level,
@@ -125,6 +136,9 @@ static void add_rows(FILE *table, const char *name, const levels_error *of, doub
         (void)snprintf(what, sizeof what, "%s, level %u: brightness of level 0's", name, number);
         pairs_add(table, what, of->brightness[number][GEOMETRIC] / views,
                   of->brightness[number][REBUILT] / views);
+        (void)snprintf(what, sizeof what, "%s, level %u: opacity of level 0's", name, number);
+        pairs_add(table, what, of->opacity[number][GEOMETRIC] / views,
+                  of->opacity[number][REBUILT] / views);
         (void)snprintf(what, sizeof what, "%s, level %u: RMS from level 0", name, number);
         pairs_add(table, what, of->rms[number][GEOMETRIC] / views,
                   of->rms[number][REBUILT] / views);
