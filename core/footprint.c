@@ -41,16 +41,21 @@ void qv_footprint_range(int32_t *first, int32_t *end, const qv_footprint *footpr
     *end = clamp(fx_shift_floor(middle + footprint->half - 1, 16) + 1, from, to);
 }
 
-/* The integral of the kernel from its middle to a part of half its width, Q.16 of
-   QV_KERNEL_PARTS; linear between entries. Q0.32. */
+/*
+ * The integral of the kernel from its middle to a part of half its width, Q.16 of
+ * QV_KERNEL_PARTS: Q0.32. Between entries it is a parabola through them and the next, which bends
+ * down by 0 .. 35: at a place f between them the chord lacks bend * f (1 - f) / 2.
+ */
 static uint32_t integral(const qv_kernel *kernel, uint32_t part)
 {
-    uint32_t entry = part >> 16;
+    uint32_t entry = part >> 16, place = part & 0xFFFFu;
     if (entry >= QV_KERNEL_PARTS)
         return HALF;
     uint32_t lower = fx_table16(kernel->integral + entry);
-    uint32_t rise = fx_table16(kernel->integral + entry + 1u) - lower; /* <= 2^10 */
-    return (lower << 16) + rise * (part & 0xFFFFu);
+    uint32_t upper = fx_table16(kernel->integral + entry + 1u);
+    uint32_t bend = 2u * upper - lower - fx_table16(kernel->integral + entry + 2u);
+    uint32_t lack = place * (65536u - place) >> 17;               /* <= 2^13 */
+    return (lower << 16) + (upper - lower) * place + bend * lack; /* <= 2^31 */
 }
 
 /* The integral from the middle to the edge left of a pixel, times the voxel's size: Q1.15 a

@@ -36,9 +36,8 @@ void qv_footprint_of(qv_footprint *footprint, const qv_kernel *kernel, int64_t c
 void qv_footprint_range(int32_t *first, int32_t *end, const qv_footprint *footprint, int32_t from,
                         int32_t to);
 
-/* The weight of a pixel, Q1.15: the mean of the kernel over it, at most 1, or 2^-15 more. As the
-   integral is linear between QV_KERNEL_PARTS entries, the kernel is a staircase: within 1/85, and
-   2^-12 for voxels up to a pixel wide. */
+/* The weight of a pixel, Q1.15: the mean of the kernel over it, at most 1, or 2^-15 more; within
+   2^-9 of exact, and 2^-12 for voxels up to a pixel wide. */
 uint16_t qv_footprint_weight(const qv_footprint *footprint, int32_t pixel);
 
 /* The weights of `count` pixels side by side. */

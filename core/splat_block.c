@@ -51,7 +51,10 @@ static void set_path(path *p, const qv_splats *splats, unsigned axis, unsigned l
 static qv_status check_level(const qv_splats *splats, const qv_volume *level, uint8_t number)
 {
     const qv_volume *whole = &splats->scene.volume;
-    qv_status status = qv_volume_check(level);
+    qv_volume volume = *level;
+    for (unsigned axis = 0; axis < 3; axis++)
+        volume.spacing[axis] = 0; /* not read, and that of a deep level may be out of range */
+    qv_status status = qv_volume_check(&volume);
     if (status != QV_OK)
         return status;
     if (number > qv_pyramid_levels(whole->size))
