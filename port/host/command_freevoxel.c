@@ -67,7 +67,8 @@ static void make_header(struct freevoxel_header *header, const qv_volume *volume
     header->order = (uint8_t)f->order;
     header->coarser = coarser_levels(volume, settings);
     if (header->coarser != 0) {
-        header->hierarchy = (uint8_t)(f->hierarchy_given ? f->hierarchy : FREEVOXEL_GEOMETRIC);
+        int usual = f->uncorrected ? FREEVOXEL_GEOMETRIC : FREEVOXEL_REBUILT;
+        header->hierarchy = (uint8_t)(f->hierarchy_given ? f->hierarchy : usual);
     }
     freevoxel_header_lay_out(header);
 }

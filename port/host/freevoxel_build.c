@@ -74,10 +74,21 @@ static void check_attenuated(qv_status status, const struct model *model)
     if (status == QV_ERROR_EXTINCTION) {
         usage_error("--extinction", "%s", qv_status_text(status));
     }
-    if (status == QV_ERROR_SPACING) {
-        usage_error("--levels", "too many to be rebuilt: %s", qv_status_text(status));
-    }
     check_status(status, model, "attenuation");
+}
+
+/* Attenuation is a matter of proportions: lengths that a deep level has, and the library does not
+   take, are all halved. */
+static void shrink(qv_volume *volume)
+{
+    while (volume->spacing[0] > SPACING_MOST || volume->spacing[1] > SPACING_MOST ||
+           volume->spacing[2] > SPACING_MOST) {
+        for (unsigned a = 0; a < 3; a++) {
+            volume->spacing[a] /= 2;
+        }
+        volume->unit_distance /= 2;
+        volume->extinction *= 2;
+    }
 }
 
 /* Of a level by its own voxels. blocks: null, or the sums for coarser ones. */
@@ -88,6 +99,7 @@ static void attenuate(const struct build *build, uint8_t number, uint8_t directi
     qv_attenuation attenuation;
     qv_volume volume;
     describe(&volume, build, number);
+    shrink(&volume);
     freevoxel_file_attenuation(&attenuation, &build->file, number);
     check_attenuated(qv_attenuate(build->bytes + level->offset + level->voxel_bytes,
                                   (size_t)attenuation.bytes, blocks, &attenuation, &volume,

@@ -16,10 +16,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The library's range of spacings, 1/16 .. 256, Q16.16. */
-#define SPACING_LEAST (QV_ONE_Q16 / 16)
-#define SPACING_MOST  (QV_ONE_Q16 * 256)
-
 /* ---- The file as a whole ------------------------------------------------------ */
 
 bool freevoxel_file_is(const char *name)

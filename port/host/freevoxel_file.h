@@ -41,6 +41,10 @@
 #define FREEVOXEL_LEVELS 13
 
 enum freevoxel_order { FREEVOXEL_LINEAR, FREEVOXEL_MORTON, FREEVOXEL_HILBERT, FREEVOXEL_ORDERS };
+/* The library's range of spacings, 1/16 .. 256, Q16.16. */
+#define SPACING_LEAST (QV_ONE_Q16 / 16)
+#define SPACING_MOST  (QV_ONE_Q16 * 256)
+
 enum freevoxel_hierarchy {
     FREEVOXEL_NO_LEVELS,
     FREEVOXEL_GEOMETRIC,

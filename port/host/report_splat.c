@@ -15,7 +15,7 @@ static void report_splatting(struct json *json, const qv_splat_scene *scene,
     json_object(json, "splatting");
     json_text(json, "how", choice_name(splatting_names, s->splatting));
     json_text(json, "kernel", choice_name(kernel_names, s->kernel));
-    json_boolean(json, "nearest", scene->interpolation != 0);
+    json_text(json, "interpolation", choice_name(interpolation_names, scene->interpolation));
     json_integer(json, "finest_level", scene->level);
     json_integer(json, "coarsest_level", scene->coarsest);
     json_integer(json, "detail_q8", scene->detail);

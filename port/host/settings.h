@@ -85,11 +85,11 @@ struct freevoxel_settings {
 
 /* A FreeVoxel file that is drawn. */
 struct splat_settings {
-    int splatting; /* enum splatting_kind */
-    int kernel;    /* enum kernel_kind */
-    bool nearest;
-    unsigned level; /* the finest */
-    bool levels;    /* coarser ones too, where their voxels are narrow enough */
+    int splatting;     /* enum splatting_kind */
+    int kernel;        /* enum kernel_kind */
+    int interpolation; /* a qv_interpolation */
+    unsigned level;    /* the finest */
+    bool levels;       /* coarser ones too, where their voxels are narrow enough */
     bool detail_given;
     double detail;  /* pixels */
     uint32_t part;  /* of the voxels, counted from 1 */

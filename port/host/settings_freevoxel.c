@@ -37,6 +37,9 @@ const choice hierarchy_names[] = {
 };
 
 const choice splatting_names[] = {{"added", SPLATTING_ADDED}, {"over", SPLATTING_OVER}, {NULL, 0}};
+const choice interpolation_names[] = {
+    {"light", QV_BETWEEN_LIGHT}, {"nearest", QV_NEAREST}, {"depths", QV_BETWEEN_DEPTHS}, {NULL, 0}};
+
 const choice kernel_names[] = {
     {"linear", KERNEL_LINEAR}, {"quadratic", KERNEL_QUADRATIC}, {NULL, 0}};
 
@@ -91,11 +94,9 @@ void set_kernel(struct settings *settings, const char *option, const char *value
     settings->splat.kernel = choose(option, value, kernel_names);
 }
 
-void set_nearest(struct settings *settings, const char *option, const char *value)
+void set_interpolation(struct settings *settings, const char *option, const char *value)
 {
-    (void)option;
-    (void)value;
-    settings->splat.nearest = true;
+    settings->splat.interpolation = choose(option, value, interpolation_names);
 }
 
 void set_finest_level(struct settings *settings, const char *option, const char *value)

@@ -9,13 +9,13 @@
 typedef void freevoxel_setter(struct settings *settings, const char *option, const char *value);
 
 freevoxel_setter set_directions, set_voxel_order, set_level_count, set_hierarchy, set_uncorrected;
-freevoxel_setter set_splatting, set_kernel, set_nearest, set_finest_level, set_coarser_levels,
+freevoxel_setter set_splatting, set_kernel, set_interpolation, set_finest_level, set_coarser_levels,
     set_detail, set_part;
 freevoxel_setter set_lamp, set_ambient;
 
 /* Names of the values, for reports as well. */
 extern const choice voxel_order_names[];
-extern const choice hierarchy_names[];
+extern const choice hierarchy_names[], interpolation_names[];
 extern const choice splatting_names[];
 extern const choice kernel_names[];
 

@@ -49,7 +49,8 @@ static void check_splats(qv_status status, const struct freevoxel_file *file)
                     qv_status_text(status));
     case QV_ERROR_DIRECTION:
         data_error(file->name, "directions",
-                   "one that the view or a light needs is missing; --nearest takes what there is");
+                   "one that the view or a light needs is missing; --interpolation nearest takes "
+                   "what there is");
     default:
         data_error(file->name, "scene", "%s", qv_status_text(status));
     }
@@ -69,7 +70,7 @@ void splat_scene_create(qv_splats *splats, struct view *view, const struct freev
     scene.domain = stored ? &qv_domain_stored : &qv_domain_extinction;
     scene.directions = file->header.directions;
     scene.field_of_view = view->field_of_view;
-    scene.interpolation = s->nearest;
+    scene.interpolation = (uint8_t)s->interpolation;
     scene.view = view->view;
     scene.volume = *volume;
     memcpy(scene.background, settings->background, sizeof scene.background);

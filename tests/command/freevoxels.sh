@@ -8,6 +8,7 @@ from volumes import *
 write("in_12x10x8_uint8.raw", packed(blob()))
 write("slab_16x16x16_uint8.raw", packed([200 if i // 256 == 15 else 100 for i in range(4096)]))
 write("one_1x1x1_uint8.raw", b"\xc8")
+write("long_600x2x3_uint8.raw", bytes(i * 7 % 256 for i in range(3600)))
 write("thin.tf", b"0 250 120 60 0\n19 250 120 60 0\n20 250 120 60 .02\n255 90 240 60 .05\n")
 write("solid.tf", b"0 255 255 255 0\n120 255 255 255 0\n121 255 255 255 1\n255 255 255 255 1\n")
 PY
@@ -50,20 +51,22 @@ assert file.size == (1, 1, 1) or any(byte != 255 for _, row in records[0] for by
 END
 for what in "" "--uncorrected" "--unit-distance 2.5" "--spacing 1x2x3" "--storage rgba8 --directions +x,-y,+x-z" \
     "--storage rgba16" "--palette-bits 16" "--storage rgbt8 --extinction 0.3" "--storage rgbt16 --extinction 2" \
-    "--extinction auto" "--tf ./solid.tf" "--levels 0" "--levels 2 --filter quad4 --domain opacity"; do
+    "--extinction auto" "--hierarchy geometric" "--hierarchy geometric --unit-distance 2.5" "--tf ./solid.tf" "--levels 0" "--levels 2 --filter quad4 --domain opacity"; do
     # shellcheck disable=SC2086
     make_file b.fv $IN $what
     check "attenuation in real arithmetic: ${what:-as it is}" "$PYTHON" attenuation.py b.fv
 done
 make_file b.fv one_1x1x1_uint8.raw
 check "a single voxel" "$PYTHON" attenuation.py b.fv
+make_file b.fv long_600x2x3_uint8.raw
+check "levels with voxels wider than the library's spacings" "$QVOL" splat b.fv --level 10 --zoom 4 -o b.pam
 
 python "the report and info tell what the file holds" <<'PY'
 import json, os, subprocess
 from freevoxel_file import *
 file, report = File("a.fv"), json.load(open("a.json"))
 own = report["freevoxels"]
-assert own["bytes"] == os.path.getsize("a.fv") and own["order"] == "linear" and own["hierarchy"] == "geometric"
+assert own["bytes"] == os.path.getsize("a.fv") and own["order"] == "linear" and own["hierarchy"] == "rebuilt"
 assert [(l["offset"], l["record_bytes"], tuple(l["size"])) for l in own["levels"]] == [l[:3] for l in file.levels]
 assert len(own["directions"]) == 26 and own["levels"][0]["record_bytes"] == 27
 
@@ -109,13 +112,13 @@ for threads in 1 2 7; do
     make_file b.fv $IN --threads $threads
     check "--threads $threads changes no byte" cmp a.fv b.fv
 done
-make_file g.fv $IN --hierarchy geometric --order linear --directions all --levels 4
+make_file g.fv $IN --hierarchy rebuilt --order linear --directions all --levels 4
 check "what is left out is as it would be by default" cmp a.fv g.fv
-make_file r.fv $IN --hierarchy rebuilt
-python "rebuilt levels have the same voxels and other light" <<'PY'
+make_file r.fv $IN --hierarchy geometric
+python "levels of means have the same voxels and other light" <<'PY'
 from freevoxel_file import *
 a, r = File("a.fv"), File("r.fv")
-assert r.hierarchy == 2 and a.records(0) == r.records(0)
+assert r.hierarchy == 1 and a.records(0) == r.records(0)
 for level in range(1, 5):
     assert [voxel for voxel, _ in a.records(level)] == [voxel for voxel, _ in r.records(level)]
 differences = [abs(p - q) for (_, row), (_, other) in zip(a.records(1), r.records(1)) for p, q in zip(row, other)]
@@ -226,7 +229,7 @@ field("directions-26", 52, "I", 1 << 26, "directions: the set 04000000")
 field("directions-fewer", 52, "I", 0x1FFFFFF, "total bytes: is not what")
 field("levels", 56, "B", 5, "levels: 5, the size has 4")
 field("levels-fewer", 56, "B", 3, "total bytes: is not what")
-field("levels-none", 56, "B", 0, "hierarchy: 1 with 0 levels")
+field("levels-none", 56, "B", 0, "hierarchy: 2 with 0 levels")
 field("hierarchy", 57, "B", 3, "hierarchy: 3 with 4 levels")
 field("palette-none", 58, "H", 0, "palette bytes: 0, the storage takes 1024")
 field("zero", 60, "I", 1, "layout: is not what")

@@ -25,7 +25,7 @@ for command in "info $IN" "render $IN -o a.pam --shade --mask $IN --mask-tf fog 
     "render $IN -o a.raw --light 10,20,ff8000 --light 0,90,ffffff --storage indexed8 --json=a.json" \
     "freevoxel $IN -o a.fv --tf surface --order hilbert --json=a.json" "info a.fv" "info a.fv --json=a.json" \
     "splat a.fv -o a.raw --levels --perspective 60 --zoom 3 --light 10,20,ff8000 --threads 3 --json=a.json" \
-    "splat a.fv -o a.pam --kernel linear --part 2/3 --nearest" "splat a.fv -o a.pam --splatting over --level 1"; do
+    "splat a.fv -o a.pam --kernel linear --part 2/3 --interpolation nearest" "splat a.fv -o a.pam --splatting over --level 1"; do
     # shellcheck disable=SC2086
     check "no leak: $command" "$program" $command
 done
@@ -91,7 +91,7 @@ SPLAT = ["-o", "o.raw", "--size", "8x8"]
 narrow, broad = freevoxels(), freevoxels("--storage", "rgbt16", "--order", "hilbert", "--directions", "faces")
 seeds += [
     ("n.fv", narrow, 280, ["splat", "n.fv", "--levels", "--azimuth", "30", "--light", "70,30,ff8040"] + SPLAT),
-    ("o.fv", broad, 280, ["splat", "o.fv", "--perspective", "60", "--zoom", "4", "--nearest"] + SPLAT),
+    ("o.fv", broad, 280, ["splat", "o.fv", "--perspective", "60", "--zoom", "4", "--interpolation", "nearest"] + SPLAT),
     ("p.fv", broad, len(broad), ["splat", "p.fv", "--splatting", "over", "--light", "0,90,ffffff"] + SPLAT),
     ("q.fv", narrow, 280, ["info", "q.fv"]),
 ]
@@ -226,7 +226,7 @@ for number in range(count // 4):
 for number in range(count // 4):
     chance = random.Random(f"freevoxels {number}")
     make = ["freevoxel", "plain_12x10x8_uint8.raw", "-o", "drawn.fv", "--tf", "surface"] + drawn_from(chance, FREEVOXELS)
-    show = ["splat", "drawn.fv", "-o", "o.raw", "--size", "9x8"] + drawn_from(chance, SPLATS) + chance.choice(([], ["--nearest"], ["--levels"]))
+    show = ["splat", "drawn.fv", "-o", "o.raw", "--size", "9x8"] + drawn_from(chance, SPLATS) + chance.choice(([], ["--interpolation", "nearest"], ["--interpolation", "depths"], ["--levels"]))
     for command in (make, show):
         is_bad, is_drawn = is_wrong(" ".join(command), command)
         wrong += is_bad

@@ -66,7 +66,7 @@ make_file even.fv $EVEN even --storage rgba16
 
 # ---- One picture ----------------------------------------------------------------
 
-for what in "" "--nearest" "--kernel linear" "--perspective 40 --zoom 2" "--perspective 100 --zoom 6" "--splatting over" \
+for what in "" "--interpolation nearest" "--kernel linear" "--perspective 40 --zoom 2" "--perspective 100 --zoom 6" "--splatting over" \
     "--level 2" "--levels --detail 2" "--light 70,30,ff8040 --light=-30,-10,4080ff --ambient 202020" \
     "--splatting over --light 70,30,ff8040" "--format rgb565le --background 102030"; do
     # shellcheck disable=SC2086
@@ -121,11 +121,11 @@ draw one.raw dense.fv
 draw other.raw dense.fv --splatting over
 differs "over leaks" one.raw other.raw
 draw one.raw a.fv
-draw other.raw a.fv --nearest
-differs "--nearest shows between directions" one.raw other.raw
+draw other.raw a.fv --interpolation nearest
+differs "nearest shows between directions" one.raw other.raw
 "$QVOL" splat a.fv -o one.raw --size 60x50
-"$QVOL" splat a.fv -o other.raw --size 60x50 --nearest
-check "--nearest is the same along one" cmp one.raw other.raw
+"$QVOL" splat a.fv -o other.raw --size 60x50 --interpolation nearest
+check "--interpolation nearest is the same along one" cmp one.raw other.raw
 draw one.raw a.fv --level 2
 draw other.raw a.fv
 differs "--level takes another" one.raw other.raw

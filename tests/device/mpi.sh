@@ -100,7 +100,7 @@ check "perspective, from a file of wide voxels" same_pictures wide.qvf --size 64
 check "two lights and ambient light, linear kernel" same_pictures levels.qvf --size 80x70 \
     --light 40,20,ff8040 --light -90,60,2040ff --ambient 202020 --kernel linear -o a.pam
 check "levels, over a transparent background, nearest directions" same_pictures levels.qvf \
-    --size 40x40 --zoom .4 --levels --detail 2 --nearest --background transparent -o a.pam
+    --size 40x40 --zoom .4 --levels --detail 2 --interpolation nearest --background transparent -o a.pam
 check "a part of the voxels of level 1, for a display" same_pictures levels.qvf --size 50x40 \
     --level 1 --part 2/3 --zoom 2 --format bgra8888 -o a.raw
 check "more ranks than voxels" same_pictures levels.qvf --size 50x40 --level 5 \
