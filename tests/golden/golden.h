@@ -266,7 +266,7 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x34557ceeu, /* 254 freevoxels, indexed8, over linear, perspective, rgb888 */
     0xc34e9a81u, /* 255 freevoxels, indexed8_16, over quadratic, orthographic, rgb565_le */
     0x8da6e803u, /* 256 freevoxels, rgba8, lit, perspective, rgb565_be */
-    0x22cf91a7u, /* 257 freevoxels, rgba16, added linear, orthographic, l8 */
+    0x5398a505u, /* 257 freevoxels, rgba16, added linear, orthographic, l8 */
     0xdbdf4fc5u, /* 258 freevoxels, indexed8, added quadratic, perspective, grey4 */
     0x89cab150u, /* 259 freevoxels, indexed8_16, over linear, perspective, mono_horizontal */
     0x772517c3u, /* 260 freevoxels, rgbt8, over quadratic, orthographic, mono_vertical */
@@ -281,17 +281,17 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x0cfe3c96u, /* 269 freevoxels, rgba16, over linear, orthographic, mono_vertical */
     0x87c3be63u, /* 270 freevoxels, indexed8, over quadratic, perspective, rgba8888 */
     0x57d8c0fau, /* 271 freevoxels, indexed8_16, lit, orthographic, bgra8888 */
-    0xc35b2629u, /* 272 freevoxels, rgbt8, added linear, orthographic, rgb888 */
+    0x66edf185u, /* 272 freevoxels, rgbt8, added linear, orthographic, rgb888 */
     0xe8e56d97u, /* 273 freevoxels, rgbt16, added quadratic, perspective, rgb565_le */
-    0x226d5c55u, /* 274 freevoxels, indexed8_t8, over linear, perspective, rgb565_be */
-    0x3a018364u, /* 275 freevoxels, indexed8_t16, over quadratic, perspective, l8 */
+    0x570d2ddbu, /* 274 freevoxels, indexed8_t8, over linear, perspective, rgb565_be */
+    0x045c7afeu, /* 275 freevoxels, indexed8_t16, over quadratic, perspective, l8 */
     0x4b2d3e79u, /* 276 freevoxels, rgba8, lit, orthographic, grey4 */
     0x3c3ce3d3u, /* 277 freevoxels, rgba16, added linear, perspective, mono_horizontal */
     0xcc080d5cu, /* 278 freevoxels, indexed8, added quadratic, orthographic, mono_vertical */
     0x6b4d5766u, /* 279 freevoxels, indexed8_16, over linear, orthographic, rgba8888 */
-    0x4838ed4eu, /* 280 freevoxels, rgba8, over quadratic, perspective, bgra8888 */
-    0x4f2188d0u, /* 281 freevoxels, rgba16, lit, orthographic, rgb888 */
-    0x11e1617cu, /* 282 freevoxels, indexed8, added linear, perspective, rgb565_le */
+    0x3b3fd479u, /* 280 freevoxels, rgba8, over quadratic, perspective, bgra8888 */
+    0x77196981u, /* 281 freevoxels, rgba16, lit, orthographic, rgb888 */
+    0x926a0136u, /* 282 freevoxels, indexed8, added linear, perspective, rgb565_le */
     0xfb864a82u, /* 283 freevoxels, indexed8_16, added quadratic, perspective, rgb565_be */
     0x19a3fcc7u, /* 284 freevoxels, rgbt8, over linear, orthographic, l8 */
     0xa133e97cu, /* 285 freevoxels, rgbt16, over quadratic, orthographic, grey4 */
