@@ -52,7 +52,7 @@ static void random_vector(int32_t v[3], uint32_t *random)
 static double model_share(const int32_t v[3], uint8_t d)
 {
     int8_t step[3];
-    double largest = 0, least_on = INFINITY, most_off = 0;
+    double largest = 0, least_on = HUGE_VAL, most_off = 0;
     qv_direction_step(step, d);
     for (unsigned axis = 0; axis < 3; axis++)
         largest = fmax(largest, fabs((double)v[axis]));
