@@ -261,42 +261,42 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0xd476f1b5u, /* 249 weighted, rgba8, hardware_rgb565, perspective, grey4 */
     0x6cb0fcbdu, /* 250 weighted, rgba16, hardware_rgba12, perspective, mono_horizontal */
     0x3080992du, /* 251 weighted, indexed8, hand_out_rgba8888, perspective, mono_vertical */
-    0x8f3426a8u, /* 252 freevoxels, rgba8, added linear, orthographic, rgba8888 */
-    0x4cb045efu, /* 253 freevoxels, rgba16, added quadratic, orthographic, bgra8888 */
-    0x34557ceeu, /* 254 freevoxels, indexed8, over linear, perspective, rgb888 */
-    0xc34e9a81u, /* 255 freevoxels, indexed8_16, over quadratic, orthographic, rgb565_le */
+    0x7d1f2134u, /* 252 freevoxels, rgba8, added linear, orthographic, rgba8888 */
+    0x6d807885u, /* 253 freevoxels, rgba16, added quadratic, orthographic, bgra8888 */
+    0x83b66b86u, /* 254 freevoxels, indexed8, over linear, perspective, rgb888 */
+    0x96ebcb46u, /* 255 freevoxels, indexed8_16, over quadratic, orthographic, rgb565_le */
     0x8da6e803u, /* 256 freevoxels, rgba8, lit, perspective, rgb565_be */
-    0x5398a505u, /* 257 freevoxels, rgba16, added linear, orthographic, l8 */
-    0xdbdf4fc5u, /* 258 freevoxels, indexed8, added quadratic, perspective, grey4 */
-    0x89cab150u, /* 259 freevoxels, indexed8_16, over linear, perspective, mono_horizontal */
-    0x772517c3u, /* 260 freevoxels, rgbt8, over quadratic, orthographic, mono_vertical */
+    0xb565aff7u, /* 257 freevoxels, rgba16, added linear, orthographic, l8 */
+    0x2ae7f6dbu, /* 258 freevoxels, indexed8, added quadratic, perspective, grey4 */
+    0x825c4c18u, /* 259 freevoxels, indexed8_16, over linear, perspective, mono_horizontal */
+    0xd5cea2e0u, /* 260 freevoxels, rgbt8, over quadratic, orthographic, mono_vertical */
     0x5e69f0a2u, /* 261 freevoxels, rgbt16, lit, perspective, rgba8888 */
-    0x9c2f24c9u, /* 262 freevoxels, indexed8_t8, added linear, orthographic, bgra8888 */
-    0x56553244u, /* 263 freevoxels, indexed8_t16, added quadratic, orthographic, rgb888 */
-    0xeda657a3u, /* 264 freevoxels, rgba8, over linear, perspective, rgb565_le */
-    0x8cee2229u, /* 265 freevoxels, rgba16, over quadratic, perspective, rgb565_be */
+    0x91c5f036u, /* 262 freevoxels, indexed8_t8, added linear, orthographic, bgra8888 */
+    0x8ffdff23u, /* 263 freevoxels, indexed8_t16, added quadratic, orthographic, rgb888 */
+    0xe480ccbdu, /* 264 freevoxels, rgba8, over linear, perspective, rgb565_le */
+    0xb8bcb75au, /* 265 freevoxels, rgba16, over quadratic, perspective, rgb565_be */
     0x13324c63u, /* 266 freevoxels, indexed8, lit, orthographic, l8 */
-    0x50d9c0c3u, /* 267 freevoxels, indexed8_16, added linear, perspective, grey4 */
-    0x21f4e4a8u, /* 268 freevoxels, rgba8, added quadratic, orthographic, mono_horizontal */
-    0x0cfe3c96u, /* 269 freevoxels, rgba16, over linear, orthographic, mono_vertical */
-    0x87c3be63u, /* 270 freevoxels, indexed8, over quadratic, perspective, rgba8888 */
+    0xb965da14u, /* 267 freevoxels, indexed8_16, added linear, perspective, grey4 */
+    0x87f3b9ddu, /* 268 freevoxels, rgba8, added quadratic, orthographic, mono_horizontal */
+    0xcff858d6u, /* 269 freevoxels, rgba16, over linear, orthographic, mono_vertical */
+    0xda29dc23u, /* 270 freevoxels, indexed8, over quadratic, perspective, rgba8888 */
     0x57d8c0fau, /* 271 freevoxels, indexed8_16, lit, orthographic, bgra8888 */
-    0x66edf185u, /* 272 freevoxels, rgbt8, added linear, orthographic, rgb888 */
-    0xe8e56d97u, /* 273 freevoxels, rgbt16, added quadratic, perspective, rgb565_le */
-    0x570d2ddbu, /* 274 freevoxels, indexed8_t8, over linear, perspective, rgb565_be */
-    0x045c7afeu, /* 275 freevoxels, indexed8_t16, over quadratic, perspective, l8 */
+    0x3c5b8930u, /* 272 freevoxels, rgbt8, added linear, orthographic, rgb888 */
+    0xe09fdac7u, /* 273 freevoxels, rgbt16, added quadratic, perspective, rgb565_le */
+    0x4485ee4fu, /* 274 freevoxels, indexed8_t8, over linear, perspective, rgb565_be */
+    0xa7c1e191u, /* 275 freevoxels, indexed8_t16, over quadratic, perspective, l8 */
     0x4b2d3e79u, /* 276 freevoxels, rgba8, lit, orthographic, grey4 */
-    0x3c3ce3d3u, /* 277 freevoxels, rgba16, added linear, perspective, mono_horizontal */
-    0xcc080d5cu, /* 278 freevoxels, indexed8, added quadratic, orthographic, mono_vertical */
-    0x6b4d5766u, /* 279 freevoxels, indexed8_16, over linear, orthographic, rgba8888 */
-    0x3b3fd479u, /* 280 freevoxels, rgba8, over quadratic, perspective, bgra8888 */
+    0x8567a8cbu, /* 277 freevoxels, rgba16, added linear, perspective, mono_horizontal */
+    0xcfaa87edu, /* 278 freevoxels, indexed8, added quadratic, orthographic, mono_vertical */
+    0x60679125u, /* 279 freevoxels, indexed8_16, over linear, orthographic, rgba8888 */
+    0x1c81c30au, /* 280 freevoxels, rgba8, over quadratic, perspective, bgra8888 */
     0x77196981u, /* 281 freevoxels, rgba16, lit, orthographic, rgb888 */
-    0x926a0136u, /* 282 freevoxels, indexed8, added linear, perspective, rgb565_le */
-    0xfb864a82u, /* 283 freevoxels, indexed8_16, added quadratic, perspective, rgb565_be */
-    0x19a3fcc7u, /* 284 freevoxels, rgbt8, over linear, orthographic, l8 */
-    0xa133e97cu, /* 285 freevoxels, rgbt16, over quadratic, orthographic, grey4 */
+    0xf6c667a2u, /* 282 freevoxels, indexed8, added linear, perspective, rgb565_le */
+    0x07001daeu, /* 283 freevoxels, indexed8_16, added quadratic, perspective, rgb565_be */
+    0x5f895652u, /* 284 freevoxels, rgbt8, over linear, orthographic, l8 */
+    0x377ce4c5u, /* 285 freevoxels, rgbt16, over quadratic, orthographic, grey4 */
     0xacab9babu, /* 286 freevoxels, indexed8_t8, lit, perspective, mono_horizontal */
-    0x8f7bdbecu, /* 287 freevoxels, indexed8_t16, added linear, orthographic, mono_vertical */
+    0x9717681cu, /* 287 freevoxels, indexed8_t16, added linear, orthographic, mono_vertical */
 };
 
 #endif /* GOLDEN_H */

@@ -86,7 +86,8 @@ struct golden_memory;
 struct golden_scene;
 
 /* Renders a scene and tells the CRC-32 of all of memory->pixels: of the picture,
-   the gaps between its rows and what follows it, which nobody may touch. */
+   the gaps between its rows and what follows it, which nobody may touch. Of splats the CRC begins
+   with the sums. */
 typedef qv_status golden_render(uint32_t *checksum, struct golden_memory *memory,
                                 const struct golden_scene *golden, golden_way way);
 
