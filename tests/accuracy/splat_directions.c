@@ -316,7 +316,7 @@ static void measure_view(errors *found, const subject *of, int view)
     look from;
     look_from(&from, view);
     for (method way = BETWEEN; way < METHODS; way++) {
-        draw_splats(&drawn[way], of, &from, (int)way);
+        draw_splats(&drawn[way], of, &from, way);
     }
     draw_real_splats(&exact, of, &from, by_ray);
     cast_rays(&rays, of, &from);
