@@ -123,12 +123,12 @@ static void pass_row(bundle *b, const row *r, const pass *p)
 
 /* The row of a bundle so many rows behind its begin, where its first line may lie outside.
    Returns 0 where none of its lines is in the volume. */
-static int find_row(row *r, const pass *p, const int32_t begin[3], uint32_t rows)
+static int find_row(row *r, const pass *p, const int32_t begin[3], int32_t rows)
 {
     const uint16_t *size = p->volume->size;
     int32_t place[3];
     for (unsigned axis = 0; axis < 3; axis++)
-        place[axis] = begin[axis] + (p->step[axis] != 0 ? (int32_t)rows : 0);
+        place[axis] = begin[axis] + (p->step[axis] != 0 ? rows : 0);
     int32_t first = place[p->beside] < 0 ? -place[p->beside] : 0;
     int32_t end = size[p->beside] - place[p->beside];
     r->first = (uint16_t)first;
@@ -143,11 +143,17 @@ static void pass_bundle(const pass *p, const int32_t begin[3], uint32_t rows)
 {
     bundle b;
     row r;
+    int32_t start = begin[p->beside], first = 0, end = (int32_t)rows;
+    if (p->step[p->beside] != 0) { /* only while it slides past the volume */
+        int32_t left = p->volume->size[p->beside] - start;
+        first = start + LINES > 0 ? 0 : 1 - LINES - start;
+        end = left < end ? left : end;
+    }
     for (unsigned line = 0; line < LINES; line++) {
         b.depth[line] = 0;
         b.byte[line] = 255;
     }
-    for (uint32_t i = 0; i < rows; i++)
+    for (int32_t i = first; i < end; i++)
         if (find_row(&r, p, begin, i))
             pass_row(&b, &r, p);
 }

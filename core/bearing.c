@@ -160,6 +160,16 @@ static int64_t cosine_of(const qv_compass *compass, const int32_t w[3], const in
     return fx_multiply(dot, (int32_t)(compass->inverse[axes_of(step)] >> 1)); /* < 2^32 * 2^31 */
 }
 
+/* v in world units, and its magnitudes. */
+static void to_world(int32_t world[3], uint32_t size[3], const qv_compass *compass,
+                     const int32_t v[3])
+{
+    for (unsigned axis = 0; axis < 3; axis++) {
+        size[axis] = (uint32_t)(fx_wide_product(magnitude(v[axis]), compass->side[axis]) >> 31);
+        world[axis] = v[axis] < 0 ? -(int32_t)size[axis] : (int32_t)size[axis];
+    }
+}
+
 /* The direction of the set that is nearest by angle, of equals the one with the lowest number;
    QV_DIRECTIONS where all cosines are at most 1/2. */
 static uint8_t nearest_of(const qv_compass *compass, const int32_t v[3])
@@ -167,10 +177,7 @@ static uint8_t nearest_of(const qv_compass *compass, const int32_t v[3])
     int32_t world[3];
     uint32_t size[3];
     uint8_t taken = QV_DIRECTIONS;
-    for (unsigned axis = 0; axis < 3; axis++) {
-        size[axis] = (uint32_t)(fx_wide_product(magnitude(v[axis]), compass->side[axis]) >> 31);
-        world[axis] = v[axis] < 0 ? -(int32_t)size[axis] : (int32_t)size[axis];
-    }
+    to_world(world, size, compass, v);
     int64_t best = (int64_t)((uint64_t)qv_length_of(size) << 17);
     for (uint8_t direction = 0; direction < QV_DIRECTIONS; direction++) {
         int8_t step[3];
@@ -184,6 +191,23 @@ static uint8_t nearest_of(const qv_compass *compass, const int32_t v[3])
         }
     }
     return taken;
+}
+
+uint32_t qv_bearing_facing(const qv_compass *compass, int32_t corner[4][3])
+{
+    uint32_t facing = 0;
+    for (unsigned i = 0; i < 4; i++) {
+        int32_t world[3];
+        uint32_t size[3];
+        to_world(world, size, compass, corner[i]);
+        for (uint8_t direction = 0; direction < QV_DIRECTIONS; direction++) {
+            int8_t step[3];
+            qv_direction_step(step, direction);
+            if (cosine_of(compass, world, step) > 0)
+                facing |= (uint32_t)1 << direction;
+        }
+    }
+    return facing & compass->directions;
 }
 
 /* Whether v goes exactly along a direction that is not its opposite. */
@@ -348,7 +372,10 @@ uint32_t qv_bearing_transmittance(const qv_bearing *bearing, qv_address bytes, q
     uint32_t clear = clear_of(bearing, bytes);
     if (!inside || clear == 0)
         return clear;
+    uint32_t whole = clear_of(bearing, inside);
+    if (whole == 0) /* what qv_splat_init refuses */
+        return 0;
     fx_depth depth = fx_depth_of_transmittance(clear);
-    fx_depth less = fx_depth_of_transmittance(clear_of(bearing, inside));
+    fx_depth less = fx_depth_of_transmittance(whole);
     return clear_after(depth > less ? depth - less : 0);
 }

@@ -37,6 +37,10 @@ qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass 
    perhaps a few more. */
 uint32_t qv_bearing_reach(int32_t corner[4][3]);
 
+/* The directions of a set that may be the nearest to some vector between four corners: those less
+   than 90 degrees from one of them. */
+uint32_t qv_bearing_facing(const qv_compass *compass, int32_t corner[4][3]);
+
 /*
  * Transmittance along a bearing for a voxel with these bytes, Q0.32 with 2^32 - 1 for 1. `inside`:
  * null, or the bytes of the voxel up to which light is followed (section 3.3: A_B / A_V, at most

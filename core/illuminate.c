@@ -93,10 +93,10 @@ static qv_status prepare(pass *p, uint8_t interpolation)
     qv_status status = qv_volume_check(p->volume);
     if (status == QV_OK)
         status = qv_lighting_check(p->lighting);
+    if (status == QV_OK && interpolation > QV_BETWEEN_DEPTHS)
+        status = QV_ERROR_DIRECTION;
     if (status != QV_OK || p->lighting->count == 0)
         return status;
-    if (interpolation > QV_BETWEEN_DEPTHS)
-        return QV_ERROR_DIRECTION;
     status = check_attenuation(p->attenuation, p->volume->size);
     if (status != QV_OK)
         return status;

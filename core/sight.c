@@ -23,7 +23,7 @@ static int sight_orthographic(qv_sight *sight, const qv_splats *splats, const in
                               unsigned level)
 {
     unsigned above = level - splats->scene.level;
-    if ((splats->size[0] | splats->size[1]) > QV_MOST_WIDTH >> above)
+    if (splats->size[0] > QV_MOST_WIDTH >> above || splats->size[1] > QV_MOST_WIDTH >> above)
         return 0;
     sight->x = fx_shift_floor(along(splats->across, half) + 0x8000, 16);
     sight->y = fx_shift_floor(along(splats->down, half) + 0x8000, 16);
@@ -72,6 +72,16 @@ static int64_t nearest_ahead(const qv_splats *splats, unsigned level)
     return (int64_t)longest << (15u + level);
 }
 
+uint32_t qv_splats_reach(const qv_splats *splats, unsigned axis)
+{
+    const qv_splat_scene *scene = &splats->scene;
+    fx_scaled width = qv_scaled_up(qv_splats_number(splats, QV_WIDTH + axis), scene->level);
+    uint32_t widest = fx_scaled_fixed(width, 16, QV_MOST_WIDTH);
+    uint32_t coarse = scene->coarsest > scene->level ? (uint32_t)scene->detail << 8 : 0;
+    uint32_t frame = (uint32_t)(axis == 0 ? scene->view.width : scene->view.height) << 16;
+    return frame + scene->kernel->halves * (coarse > widest ? coarse : widest);
+}
+
 /* Width and height in pixels; 0 where they are out of range. */
 static int set_size(qv_sight *sight, const qv_splats *splats, fx_scaled enlarged, unsigned level)
 {
@@ -106,16 +116,14 @@ static int set_viewer(qv_sight *sight, const qv_splats *splats, const int32_t ha
     return qv_bearing_of(&sight->viewer, &sight->length, &splats->compass, scaled) == QV_OK;
 }
 
-static int within(int64_t v, uint16_t pixels)
+static int within(int64_t v, uint32_t reach)
 {
-    int64_t reach = (int64_t)pixels * 65536;
-    return v >= -reach && v <= reach;
+    return v >= -(int64_t)reach && v <= (int64_t)reach;
 }
 
 static int sight_perspective(qv_sight *sight, const qv_splats *splats, const int32_t half[3],
                              unsigned level)
 {
-    const qv_view *view = &splats->scene.view;
     int64_t ahead = splats->distance + along(splats->ahead, half);
     if (ahead < nearest_ahead(splats, level))
         return 0;
@@ -124,8 +132,8 @@ static int sight_perspective(qv_sight *sight, const qv_splats *splats, const int
         return 0;
     sight->x = enlarge(along(splats->across, half), enlarged);
     sight->y = enlarge(along(splats->down, half), enlarged);
-    return within(sight->x, view->width) && within(sight->y, view->height) &&
-           set_viewer(sight, splats, half, ahead);
+    return within(sight->x, qv_splats_reach(splats, 0)) &&
+           within(sight->y, qv_splats_reach(splats, 1)) && set_viewer(sight, splats, half, ahead);
 }
 
 int qv_sight_of(qv_sight *sight, const qv_splats *splats, const int32_t half[3], unsigned level)
@@ -153,13 +161,14 @@ int qv_splats_fine(const qv_splats *splats, fx_scaled enlarged, unsigned level)
     return 1;
 }
 
-/* What lies behind the eye is not fine enough at any level. */
+/* What is too near to be drawn is not fine enough at any level. */
 static int is_fine(const qv_splats *splats, const uint16_t position[3], unsigned level)
 {
     int32_t half[3];
     qv_half_voxels(half, splats->scene.volume.size, position, level);
     int64_t ahead = splats->distance + along(splats->ahead, half);
-    return ahead > 0 && qv_splats_fine(splats, enlargement(splats, ahead), level);
+    return ahead >= nearest_ahead(splats, level) &&
+           qv_splats_fine(splats, enlargement(splats, ahead), level);
 }
 
 int qv_splat_belongs(const qv_splats *splats, const uint16_t position[3], unsigned level)

@@ -36,6 +36,13 @@ static inline fx_scaled qv_scaled_up(fx_scaled number, unsigned level)
     return number;
 }
 
+/*
+ * How far from the middle of the frame an eye sees voxels, in pixels, Q16.16: a width or height of the
+ * frame, and the kernel of what is drawn at the distance of the volume's centre, or of the widest
+ * voxel of coarser levels. At most 2^31 + 3 * 2^28.
+ */
+uint32_t qv_splats_reach(const qv_splats *splats, unsigned axis);
+
 /* Whether a voxel of a level that is seen so much enlarged is at most as wide and high as the
    scene's detail allows. */
 int qv_splats_fine(const qv_splats *splats, fx_scaled enlarged, unsigned level);

@@ -205,14 +205,14 @@ static qv_status set_orthographic(qv_splats *splats)
     return qv_bearing_of(&splats->viewer, &splats->length, &splats->compass, scaled);
 }
 
-/* From what an eye sees at a corner of a rectangle twice as wide and high as the frame, the way to
-   the eye; 0 where that is no way at all. Voxels whose centres lie beyond are not drawn. */
-static int corner_of(int32_t scaled[3], const qv_splat_scene *scene, qv_coord distance,
-                     unsigned corner)
+/* From a corner of what an eye sees, the way to the eye; 0 where that is no way at all. Voxels whose
+   centres lie beyond are not drawn. */
+static int corner_of(int32_t scaled[3], const qv_splats *splats, qv_coord distance, unsigned corner)
 {
-    const qv_view *view = &scene->view;
-    int64_t width = (int64_t)fx_wide_product(view->pitch, view->width) << 16; /* < 2^56 */
-    int64_t height = (int64_t)fx_wide_product(view->pitch, view->height) << 16;
+    const qv_splat_scene *scene = &splats->scene;
+    const qv_view *view = &scene->view; /* its pitch and the reach are Q16.16: below 2^56 */
+    int64_t width = (int64_t)fx_wide_product(view->pitch, qv_splats_reach(splats, 0));
+    int64_t height = (int64_t)fx_wide_product(view->pitch, qv_splats_reach(splats, 1));
     int64_t world[3], v[3];
     for (unsigned axis = 0; axis < 3; axis++) {
         int64_t right = fx_scale_q30(width, view->rotation[0][axis]);
@@ -236,16 +236,17 @@ static qv_status check_reach(const qv_splats *splats, qv_coord distance)
     qv_bearing bearing;
     uint32_t length;
     for (unsigned i = 0; i < 4; i++) {
-        if (!corner_of(corner[i], scene, distance, i))
+        if (!corner_of(corner[i], splats, distance, i))
             return QV_ERROR_VIEW;
         if (scene->interpolation == QV_NEAREST &&
             qv_bearing_of(&bearing, &length, &splats->compass, corner[i]) != QV_OK)
             return QV_ERROR_DIRECTION;
     }
-    uint32_t reach = qv_bearing_reach(corner);
-    if (scene->interpolation != QV_NEAREST && (reach & ~splats->compass.directions) != 0)
+    uint32_t reach = scene->interpolation == QV_NEAREST
+                         ? qv_bearing_facing(&splats->compass, corner)
+                         : qv_bearing_reach(corner);
+    if ((reach & ~splats->compass.directions) != 0)
         return QV_ERROR_DIRECTION;
-    reach &= scene->directions;
     for (uint8_t direction = 0; scene->inside && direction < QV_DIRECTIONS; direction++) {
         uint8_t slot = qv_direction_slot(scene->directions, direction);
         if ((reach >> direction & 1u) != 0 && qv_read8(qv_at(scene->inside, slot)) == 0)

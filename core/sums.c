@@ -1,6 +1,7 @@
 #include "composite.h"
 #include "fx_wide.h"
 #include "image.h"
+#include "overlap.h"
 #include "pixels.h"
 #include "splat.h"
 
@@ -90,6 +91,19 @@ static int is_full(const qv_sums *sums)
     return 0;
 }
 
+/* Whether pixels would be written over sums: an image's rows lie between its lowest byte and its
+   highest. */
+static int is_over(const qv_image *image, const qv_sums *sums)
+{
+    uint32_t rows = (uint32_t)(height_of(sums) - 1u) >> image->format->line_shift;
+    uint64_t way = (uint64_t)rows *
+                   (image->stride < 0 ? 0u - (uint64_t)image->stride : (uint64_t)image->stride);
+    uintptr_t first = (uintptr_t)image->pixels - (image->stride < 0 ? (uintptr_t)way : 0u);
+    uint64_t bytes = way + qv_row_bytes(image->format, (uint16_t)width_of(sums));
+    return qv_regions_meet((uintptr_t)sums->sums - first, bytes,
+                           (uint64_t)count_of(sums) * sizeof(uint32_t));
+}
+
 /* Puts the background behind a pixel's sums; of equation 9, it is there already. */
 static void finish(qv_pixel *pixel, const uint32_t *sum, const uint32_t behind[4])
 {
@@ -112,6 +126,8 @@ qv_status qv_sums_read_out(const qv_image *image, const qv_sums *sums, const qv_
     qv_status status = splats ? qv_sums_check(sums) : QV_ERROR_NULL;
     if (status == QV_OK)
         status = qv_image_check(image, &none, &sums->rect);
+    if (status == QV_OK && is_over(image, sums))
+        status = QV_ERROR_OVERLAP;
     if (status == QV_OK && is_full(sums))
         status = QV_ERROR_SUMS;
     if (status != QV_OK)

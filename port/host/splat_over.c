@@ -30,7 +30,6 @@ static void describe(qv_volume *volume, const struct freevoxel_file *file, uint8
     }
     for (unsigned a = 0; a < 3; a++) {
         volume->size[a] = level->size[a];
-        volume->spacing[a] <<= number; /* at most 2^24 * 2^12: what is too much is refused */
     }
     volume->stride[0] = level->voxel_bytes;
     volume->stride[1] = volume->stride[0] * level->size[0]; /* at most 2^15 */

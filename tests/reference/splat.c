@@ -109,11 +109,22 @@ static double share(const ref_splats *splats, double pixel, double centre, doubl
 
 /* ---- What is drawn -------------------------------------------------------------- */
 
+/* Half a voxel by its longest side. */
+static double half_voxel(const ref_splats *splats, int level)
+{
+    double longest = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        longest = fmax(longest, spacing_of(&splats->levels[0], axis));
+    }
+    return ldexp(longest, level) / 2;
+}
+
 static double width_in_pixels(const ref_splats *splats, int level, const int32_t at[3])
 {
     ref_footprint footprint;
     ref_splat_footprint(&footprint, splats, level, at);
-    const bool in_front = splats->view.field_of_view == 0 || footprint.ahead > 0;
+    const bool in_front =
+        splats->view.field_of_view == 0 || footprint.ahead >= half_voxel(splats, level);
     return in_front ? fmax(footprint.width[0], footprint.width[1]) : HUGE_VAL;
 }
 
@@ -133,18 +144,24 @@ bool ref_splat_is_drawn(const ref_splats *splats, int level, const int32_t at[3]
     return drawn;
 }
 
-/* Of what an eye sees, half a voxel by its longest side before it, and not farther beside the
-   frame than half of it. */
+/* How far from the frame's centre an eye sees voxels: the frame, and the kernel of the finest level at
+   the distance of the centre, or of a coarser voxel as wide as they are drawn. */
+static double reach_of(const ref_splats *splats, int axis)
+{
+    const qv_splat_scene *scene = splats->scene;
+    const ref_view *view = &splats->view;
+    const double voxel = spread(splats, view->rotation[axis], scene->level) / view->pitch;
+    const double coarse = scene->coarsest > scene->level ? scene->detail / 256.0 : 0;
+    return (axis == 0 ? view->width : view->height) + splats->kernel * fmax(voxel, coarse);
+}
+
+/* Of what an eye sees, half a voxel before it, and not beyond its reach. */
 static bool before_eye(const ref_splats *splats, const ref_footprint *footprint, int level)
 {
     const ref_view *view = &splats->view;
-    double longest = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        longest = fmax(longest, spacing_of(&splats->levels[0], axis));
-    }
-    return footprint->ahead >= ldexp(longest, level) / 2 &&
-           fabs(footprint->centre[0] - view->width / 2) <= view->width &&
-           fabs(footprint->centre[1] - view->height / 2) <= view->height;
+    return footprint->ahead >= half_voxel(splats, level) &&
+           fabs(footprint->centre[0] - view->width / 2) <= reach_of(splats, 0) &&
+           fabs(footprint->centre[1] - view->height / 2) <= reach_of(splats, 1);
 }
 
 static bool in_sight(const ref_splats *splats, const ref_footprint *footprint, int level)

@@ -142,6 +142,68 @@ static void homogeneous_cubes(void **state)
         }
 }
 
+/* Sums of opacity where a rolled picture shows the inner part of an opaque layer. */
+static void opaque_layer(double least_most[2], splat_fixture *f, const qv_kernel *kernel,
+                         double roll)
+{
+    qv_splats splats;
+    splat_begin(f, 59, 0);
+    for (unsigned v = 0; v < VOXELS; v++)
+        memset(f->voxels + 4 * v, v / SIDE % SIDE == 0 ? 255 : 0, 4);
+    splat_attenuate(f);
+    qv_rotation(f->scene.view.rotation, 0, 0, splat_degrees(roll));
+    f->scene.kernel = kernel;
+    f->scene.view.pitch = QV_ONE_Q16 / 16;
+    splat_init(&splats, f);
+    splat_draw(f, &splats);
+    least_most[0] = 1e9;
+    least_most[1] = 0;
+    for (unsigned y = FRAME / 3; y < 2 * FRAME / 3; y++)
+        for (unsigned x = FRAME / 3; x < 2 * FRAME / 3; x++) {
+            const double sum = f->sums[(y * FRAME + x) * QV_SUM_CHANNELS + 3] / 65536. / 255;
+            least_most[0] = fmin(least_most[0], sum);
+            least_most[1] = fmax(least_most[1], sum);
+        }
+}
+
+/* The weights of a layer sum to 1 where its axes are the picture's; else on average, as qv_splat
+   declares. */
+static void layers_of_voxels(void **state)
+{
+    static splat_fixture f;
+    double range[2];
+    (void)state;
+    for (int roll = 0; roll <= 90; roll += 5) {
+        const int straight = roll % 90 == 0;
+        opaque_layer(range, &f, &qv_kernel_quadratic, roll);
+        assert_true(range[0] >= (straight ? .998 : .95) && range[1] <= (straight ? 1.002 : 1.05));
+        opaque_layer(range, &f, &qv_kernel_linear, roll);
+        assert_true(range[0] >= (straight ? .998 : .82) && range[1] <= (straight ? 1.002 : 1.35));
+    }
+    assert_true(range[0] > .998 && range[1] < 1.002);
+}
+
+/* Voxels as wide as the frame, and levels of any detail: an eye sees the fog as it is. */
+static void wide_voxels_in_perspective(void **state)
+{
+    static splat_fixture f;
+    (void)state;
+    for (unsigned i = 0; i < 3; i++) {
+        qv_splats splats;
+        splat_begin(&f, 60, 0);
+        memset(f.voxels, 26, sizeof f.voxels);
+        splat_attenuate(&f);
+        qv_rotation(f.scene.view.rotation, 0, 0, 0);
+        f.scene.field_of_view = splat_degrees(3);
+        f.scene.view.pitch = QV_ONE_Q16 >> (4 + i); /* a voxel is 16, 32, 64 of 48 pixels wide */
+        splat_init(&splats, &f);
+        splat_draw(&f, &splats);
+        const double exact = 1 - pow(1 - 26 / 255., SIDE);
+        for (unsigned p = 0; p < FRAME * FRAME; p += 7)
+            assert_true(fabs(f.sums[p * QV_SUM_CHANNELS + 3] / 65536. / 255 - exact) < .02);
+    }
+}
+
 /* Each voxel of level 0 lies in just one voxel of what is drawn. */
 static void levels_cover_each_place_once(void **state)
 {
@@ -320,6 +382,8 @@ int main(void)
         cmocka_unit_test(parts_and_strips),
         cmocka_unit_test(streams),
         cmocka_unit_test(homogeneous_cubes),
+        cmocka_unit_test(layers_of_voxels),
+        cmocka_unit_test(wide_voxels_in_perspective),
         cmocka_unit_test(levels_cover_each_place_once),
         cmocka_unit_test(full_sums),
         cmocka_unit_test(background),

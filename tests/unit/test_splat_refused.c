@@ -108,9 +108,9 @@ static void corner_at_the_eye(void **state)
         {0x40000000, 0, 0}, {0, 0x40000000, 0}, {0x26666666, 0x33333333, 0}};
     (void)state;
     memcpy(f.scene.view.rotation, flat, sizeof flat);
-    f.scene.view.width = 30;
-    f.scene.view.height = 40;
-    f.scene.field_of_view = 0x1F01A6A5; /* its cotangent is 5 / 2 */
+    f.scene.view.width = 12;
+    f.scene.view.height = 20;           /* and the kernel 12, so that the corner is at (24, 32) */
+    f.scene.field_of_view = 0x13F66E52; /* half of it has the cotangent 4 */
     f.scene.volume.size[2] = 1;
     expect_scene(&f.scene, QV_ERROR_VIEW);
 }
@@ -195,8 +195,25 @@ static void eyes_inside(void **state)
     look_from_inside();
     f.scene.inside = bytes;
     bytes[qv_direction(0, -1, 0)] = 1;
-    bytes[qv_direction(0, 1, 0)] = bytes[qv_direction(1, 0, 0)] = 0; /* never wanted */
+    bytes[qv_direction(0, 1, 0)] = bytes[qv_direction(1, 1, 0)] = 0; /* never wanted */
     expect_scene(&f.scene, QV_OK);
+}
+
+/* By the nearest direction any may be taken that goes some of the way. */
+static void eyes_inside_and_nearest(void **state)
+{
+    uint8_t bytes[QV_DIRECTIONS];
+    (void)state;
+    memset(bytes, 100, sizeof bytes);
+    for (unsigned i = 0; i < 3; i++) {
+        look_from_inside();
+        f.scene.inside = bytes;
+        f.scene.interpolation = QV_NEAREST;
+        bytes[qv_direction(0, -1, 0)] = i == 0 ? 0 : 100;
+        bytes[qv_direction(1, -1, 1)] = i == 1 ? 0 : 100;
+        bytes[qv_direction(0, 1, 0)] = 0; /* never taken */
+        expect_scene(&f.scene, i == 2 ? QV_OK : QV_ERROR_INSIDE);
+    }
 }
 
 /* ---- Voxels and sums -------------------------------------------------------- */
@@ -270,6 +287,12 @@ static void sums_out_of_bounds(void **state)
     assert_int_equal(qv_sums_read_out(&f.image, &f.target, NULL), QV_ERROR_NULL);
     f.image.bytes--;
     assert_int_equal(qv_sums_read_out(&f.image, &f.target, &splats), QV_ERROR_BUFFER);
+    restore();
+    f.image.pixels = (uint8_t *)f.sums + sizeof f.sums - 1;
+    assert_int_equal(qv_sums_read_out(&f.image, &f.target, &splats), QV_ERROR_OVERLAP);
+    f.image.stride = -f.image.stride; /* rows below the first */
+    f.image.pixels = (uint8_t *)f.sums + sizeof f.sums + 4 * FRAME * (FRAME - 1) - 1;
+    assert_int_equal(qv_sums_read_out(&f.image, &f.target, &splats), QV_ERROR_OVERLAP);
     restore();
 }
 
@@ -376,6 +399,7 @@ int main(void)
         cmocka_unit_test(levels_and_lights),
         cmocka_unit_test(directions),
         cmocka_unit_test(eyes_inside),
+        cmocka_unit_test(eyes_inside_and_nearest),
         cmocka_unit_test(voxels),
         cmocka_unit_test(sums_out_of_bounds),
         cmocka_unit_test(sums_of_others),
