@@ -276,7 +276,7 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0xe480ccbdu, /* 264 freevoxels, rgba8, over linear, perspective, rgb565_le */
     0xb8bcb75au, /* 265 freevoxels, rgba16, over quadratic, perspective, rgb565_be */
     0x13324c63u, /* 266 freevoxels, indexed8, lit, orthographic, l8 */
-    0xb965da14u, /* 267 freevoxels, indexed8_16, added linear, perspective, grey4 */
+    0x18d1ddbeu, /* 267 freevoxels, indexed8_16, added linear, perspective, grey4 */
     0x87f3b9ddu, /* 268 freevoxels, rgba8, added quadratic, orthographic, mono_horizontal */
     0xcff858d6u, /* 269 freevoxels, rgba16, over linear, orthographic, mono_vertical */
     0xda29dc23u, /* 270 freevoxels, indexed8, over quadratic, perspective, rgba8888 */
