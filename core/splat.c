@@ -40,43 +40,50 @@ static void light_of(uint32_t light[4], const qv_splats *splats, const qv_sight 
         light[c] = fx_high_product(light[3], 65537u * colour[c]);
 }
 
-/* Adds light to the rows of a strip of columns: by a row's weight Q10.21, by a column's Q10.20. */
-static void put_strip(const qv_sums *sums, const qv_splatting *splatting, const qv_footprint *down,
-                      const int32_t line[2], const uint16_t *weights, int32_t column,
-                      unsigned count, const uint32_t light[4])
+/* A splat's pixels in a rectangle: columns and lines, from .. end - 1. */
+typedef struct window {
+    qv_footprint across, down;
+    int32_t column[2], line[2];
+} window;
+
+/* Returns 0 where there are none. */
+static int set_window(window *w, const qv_sums *sums, const qv_splats *splats,
+                      const qv_sight *sight)
 {
+    const qv_kernel *kernel = splats->scene.kernel;
+    const qv_rect *rect = &sums->rect;
+    qv_footprint_of(&w->across, kernel, sight->x, sight->width);
+    qv_footprint_of(&w->down, kernel, sight->y, sight->height);
+    qv_footprint_range(&w->column[0], &w->column[1], &w->across, rect->left, rect->right);
+    qv_footprint_range(&w->line[0], &w->line[1], &w->down, rect->top, rect->bottom);
+    return w->column[0] < w->column[1] && w->line[0] < w->line[1];
+}
+
+/* Adds light to the lines of a strip of columns: by a line's weight Q10.21, by a column's
+   Q10.20. */
+static void put_strip(const qv_sums *sums, const qv_splatting *splatting, const window *w,
+                      int32_t column, unsigned count, const uint32_t light[4])
+{
+    uint16_t weights[STRIP];
     size_t width = (size_t)(sums->rect.right - sums->rect.left);
-    size_t first = (size_t)(line[0] - sums->rect.top) * width;
+    size_t first = (size_t)(w->line[0] - sums->rect.top) * width;
     uint32_t *row = sums->sums + QV_SUM_CHANNELS * (first + (size_t)(column - sums->rect.left));
-    for (int32_t y = line[0]; y < line[1]; y++, row += QV_SUM_CHANNELS * width) {
+    qv_footprint_weights(weights, &w->across, column, count);
+    for (int32_t y = w->line[0]; y < w->line[1]; y++, row += QV_SUM_CHANNELS * width) {
         uint32_t of_row[4];
-        uint16_t weight = qv_footprint_weight(down, y);
+        uint16_t weight = qv_footprint_weight(&w->down, y);
         for (unsigned c = 0; c < 4; c++)
             of_row[c] = fx_product_shift16(light[c], weight);
         splatting->row(row, weights, count, of_row);
     }
 }
 
-static void put_light(const qv_sums *sums, const qv_splats *splats, const qv_sight *sight,
+static void put_light(const qv_sums *sums, const qv_splatting *splatting, const window *w,
                       const uint32_t light[4])
 {
-    const qv_kernel *kernel = splats->scene.kernel;
-    const qv_rect *rect = &sums->rect;
-    qv_footprint across, down;
-    int32_t column[2], line[2];
-    uint16_t weights[STRIP];
-    qv_footprint_of(&across, kernel, sight->x, sight->width);
-    qv_footprint_of(&down, kernel, sight->y, sight->height);
-    qv_footprint_range(&column[0], &column[1], &across, rect->left, rect->right);
-    qv_footprint_range(&line[0], &line[1], &down, rect->top, rect->bottom);
-    if (line[0] == line[1])
-        return;
-    while (column[0] < column[1]) {
-        uint32_t left = (uint32_t)(column[1] - column[0]);
-        unsigned count = left < STRIP ? (unsigned)left : STRIP;
-        qv_footprint_weights(weights, &across, column[0], count);
-        put_strip(sums, splats->scene.splatting, &down, line, weights, column[0], count, light);
-        column[0] += (int32_t)count;
+    for (int32_t column = w->column[0]; column < w->column[1]; column += (int32_t)STRIP) {
+        uint32_t left = (uint32_t)(w->column[1] - column);
+        put_strip(sums, splatting, w, column, left < STRIP ? (unsigned)left : STRIP, light);
     }
 }
 
@@ -87,18 +94,19 @@ void qv_splat_put(const qv_sums *sums, const qv_splats *splats, const qv_freevox
     fx_unorm16 entry[4];
     int32_t half[3];
     qv_sight sight;
+    window w;
     uint32_t light[4];
     qv_entry_read(entry, qv_entry(voxel->voxel, volume, storage), storage);
     if (entry[3] == 0 || !qv_splat_belongs(splats, voxel->position, voxel->level))
         return;
     qv_half_voxels(half, volume->size, voxel->position, voxel->level);
-    if (!qv_sight_of(&sight, splats, half, voxel->level))
+    if (!qv_sight_of(&sight, splats, half, voxel->level) || !set_window(&w, sums, splats, &sight))
         return;
     uint32_t opacity =
         opacity_of(splats, &sight, splats->scene.domain->weight(entry[3]), voxel->level);
     light_of(light, splats, &sight, opacity, voxel, entry);
     if (light[3] != 0)
-        put_light(sums, splats, &sight, light);
+        put_light(sums, splats->scene.splatting, &w, light);
 }
 
 /* Position and memory of one voxel. */
