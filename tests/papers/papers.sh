@@ -244,11 +244,12 @@ between_directions() {
         [ -s "$folder/data/directions.tap" ]
     {
         printf '\n## Between the 26 directions: views of the whole sphere, in levels\n\n'
-        echo "| volume | against | nearest: RMS, worst | between depths | between light | times |"
-        echo "|---|---|---|---|---|---|"
-        sed -n 's/^# \(.*|.*|.*|.*|.*[0-9]\)$/| \1 |/p' "$folder/data/directions.tap"
+        printf '| volume | against | as published: RMS, worst | nearest, by length |'
+        echo " between depths | between light | each by the last |"
+        echo "|---|---|---|---|---|---|---|"
+        sed -n 's/^# \(.*|.*|.*|.*|.*|.*[0-9]\)$/| \1 |/p' "$folder/data/directions.tap"
     } >>"$folder/table.md"
-    awk -F'[ |]+' '/[|] exact splats [|]/ { print $2, $5, $7, $9 }' \
+    awk -F'[ |]+' '/[|] exact splats [|]/ { print $2, $5, $7, $9, $11 }' \
         "$folder/data/directions.tap" >"$folder/data/directions.dat"
     plot directions
 }
