@@ -51,12 +51,6 @@ static fx_depth mean_depth(const uint32_t *blocks, const uint16_t size[3], unsig
                 fx_wide_product(extent[0] * extent[1], extent[2]));
 }
 
-static void size_of_level(uint16_t level_size[3], const uint16_t size[3], unsigned level)
-{
-    for (unsigned axis = 0; axis < 3; axis++)
-        level_size[axis] = (uint16_t)((size[axis] + ((uint32_t)1 << level) - 1u) >> level);
-}
-
 qv_status qv_attenuate_level(void *to, size_t bytes, const qv_attenuation *attenuation,
                              const uint32_t *blocks, const uint16_t size[3], uint8_t level,
                              uint8_t direction)
@@ -69,7 +63,8 @@ qv_status qv_attenuate_level(void *to, size_t bytes, const qv_attenuation *atten
         return QV_ERROR_LEVEL;
     uint16_t end[3], at[3];
     qv_target target;
-    size_of_level(end, size, level);
+    for (unsigned axis = 0; axis < 3; axis++)
+        end[axis] = qv_level_size(size[axis], level);
     qv_status status = qv_target_init(&target, to, bytes, attenuation, end, direction);
     if (status != QV_OK)
         return status;

@@ -40,17 +40,12 @@ void qv_compass_of(qv_compass *compass, const qv_volume *volume, uint32_t direct
     }
 }
 
-static uint32_t magnitude(int32_t v)
-{
-    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
-}
-
 /* The axes by falling magnitude; of equals, the lower first. */
 static void sort_axes(unsigned axis[3], const int32_t v[3])
 {
     for (unsigned i = 0; i < 3; i++) {
         unsigned place = i;
-        for (; place > 0 && magnitude(v[axis[place - 1u]]) < magnitude(v[i]); place--)
+        for (; place > 0 && qv_magnitude(v[axis[place - 1u]]) < qv_magnitude(v[i]); place--)
             axis[place] = axis[place - 1u];
         axis[place] = i;
     }
@@ -109,7 +104,7 @@ static void split(unsigned axis[3], uint32_t part[4], const int32_t v[3])
     sort_axes(axis, v);
     part[0] = ONE_Q30;
     for (unsigned i = 1; i < 3; i++)
-        part[i] = share_of(magnitude(v[axis[i]]), magnitude(v[axis[0]]));
+        part[i] = share_of(qv_magnitude(v[axis[i]]), qv_magnitude(v[axis[0]]));
     part[3] = 0;
 }
 
@@ -154,7 +149,8 @@ static int64_t cosine_of(const qv_compass *compass, const int32_t w[3], const in
     for (unsigned axis = 0; axis < 3; axis++) {
         if (step[axis] == 0)
             continue;
-        int64_t product = (int64_t)(fx_wide_product(magnitude(w[axis]), compass->side[axis]) >> 31);
+        int64_t product =
+            (int64_t)(fx_wide_product(qv_magnitude(w[axis]), compass->side[axis]) >> 31);
         dot += (w[axis] < 0) == (step[axis] < 0) ? product : -product;
     }
     return fx_multiply(dot, (int32_t)(compass->inverse[axes_of(step)] >> 1)); /* < 2^32 * 2^31 */
@@ -165,7 +161,7 @@ static void to_world(int32_t world[3], uint32_t size[3], const qv_compass *compa
                      const int32_t v[3])
 {
     for (unsigned axis = 0; axis < 3; axis++) {
-        size[axis] = (uint32_t)(fx_wide_product(magnitude(v[axis]), compass->side[axis]) >> 31);
+        size[axis] = (uint32_t)(fx_wide_product(qv_magnitude(v[axis]), compass->side[axis]) >> 31);
         world[axis] = v[axis] < 0 ? -(int32_t)size[axis] : (int32_t)size[axis];
     }
 }
@@ -215,7 +211,7 @@ static int is_along(const int32_t v[3], const int8_t step[3])
 {
     uint32_t largest = qv_bearing_largest(v);
     for (unsigned axis = 0; axis < 3; axis++)
-        if (magnitude(v[axis]) != (step[axis] != 0 ? largest : 0u))
+        if (qv_magnitude(v[axis]) != (step[axis] != 0 ? largest : 0u))
             return 0;
     return 1;
 }
@@ -286,6 +282,15 @@ uint32_t qv_bearing_reach(int32_t corner[4][3])
             reach |= (uint32_t)1 << direction;
     }
     return reach;
+}
+
+void qv_bearing_voxels(int64_t v[3], const int64_t world[3], const uint32_t spacing[3])
+{
+    for (unsigned axis = 0; axis < 3; axis++) {
+        uint64_t size = world[axis] < 0 ? 0u - (uint64_t)world[axis] : (uint64_t)world[axis];
+        int64_t voxels = (int64_t)fx_divide(size, qv_spacing(spacing, axis));
+        v[axis] = world[axis] < 0 ? -voxels : voxels;
+    }
 }
 
 int qv_bearing_scale(int32_t scaled[3], const int64_t v[3])

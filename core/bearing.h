@@ -61,15 +61,22 @@ static inline int qv_bearing_leads(const int64_t v[3])
    (or, negative, doubled). v is not 0. */
 int qv_bearing_scale(int32_t scaled[3], const int64_t v[3]);
 
+static inline uint32_t qv_magnitude(int32_t v)
+{
+    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
+}
+
 /* The largest magnitude of the components. */
 static inline uint32_t qv_bearing_largest(const int32_t v[3])
 {
     uint32_t largest = 0;
-    for (unsigned axis = 0; axis < 3; axis++) {
-        uint32_t size = v[axis] < 0 ? 0u - (uint32_t)v[axis] : (uint32_t)v[axis];
-        largest = size > largest ? size : largest;
-    }
+    for (unsigned axis = 0; axis < 3; axis++)
+        largest = qv_magnitude(v[axis]) > largest ? qv_magnitude(v[axis]) : largest;
     return largest;
 }
+
+/* A world vector, below 2^63 in magnitude, in voxels of this spacing, cut towards 0: numbers with
+   16 fraction bits fewer. */
+void qv_bearing_voxels(int64_t v[3], const int64_t world[3], const uint32_t spacing[3]);
 
 #endif /* QV_BEARING_H */

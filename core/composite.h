@@ -56,6 +56,13 @@ FX_INLINE void qv_over(qv_light *light, const uint32_t sample[3], uint32_t opaci
 /* The same for 2^31 * 65535 / 65536: colours weighted by the extinction of opacities. */
 #define QV_READ_OUT_CONVERTED 66847740u
 
+/* A level with 16 fraction bits, at most QV_LEVEL_ONE, as part of 1, Q0.32: 65536 / 255 = 257 +
+   1/2^8 + 1/2^16 + ... */
+FX_INLINE uint32_t qv_part_of_level(uint32_t level)
+{
+    return 257u * level + (level >> 8) + (level >> 16);
+}
+
 /* The factor of fx_light_of for the unit of a read-out: 255 * 2^55 / unit, rounded to nearest.
    Of the three, 64 times the read-out is 1 too small. */
 #define QV_LIGHT_OF(read_out) (64u * (read_out) + 1u)

@@ -1,7 +1,6 @@
 #include "lighting.h"
 
 #include "fx_wide.h"
-#include "layout.h"
 
 #define FULL 65535u
 
@@ -17,26 +16,17 @@ qv_status qv_lighting_check(const qv_lighting *lighting)
     return QV_OK;
 }
 
-/* A world direction in voxels: at most 2^15 * 2^40 / 2^12. */
-static void to_voxels(int64_t v[3], const int16_t direction[3], const uint32_t spacing[3])
-{
-    for (unsigned axis = 0; axis < 3; axis++) {
-        int32_t part = direction[axis];
-        uint64_t size = (uint64_t)(part < 0 ? -part : part) << 40;
-        int64_t voxels = (int64_t)fx_divide(size, qv_spacing(spacing, axis));
-        v[axis] = part < 0 ? -voxels : voxels;
-    }
-}
-
 qv_status qv_lighting_bearings(qv_bearing lamp[QV_LAMPS_MAX], const qv_lighting *lighting,
                                const qv_compass *compass, const uint32_t spacing[3])
 {
     qv_status status = QV_OK;
     for (unsigned i = 0; status == QV_OK && i < lighting->count; i++) {
-        int64_t v[3];
+        int64_t world[3], v[3];
         int32_t scaled[3];
         uint32_t length;
-        to_voxels(v, lighting->lamps[i].direction, spacing);
+        for (unsigned axis = 0; axis < 3; axis++) /* at most 2^55, and in voxels 2^43 */
+            world[axis] = lighting->lamps[i].direction[axis] * ((int64_t)1 << 40);
+        qv_bearing_voxels(v, world, spacing);
         (void)qv_bearing_scale(scaled, v);
         status = qv_bearing_of(&lamp[i], &length, compass, scaled);
     }

@@ -12,6 +12,12 @@ static inline uint16_t qv_coarser_size(uint16_t size)
     return (uint16_t)((size + 1u) >> 1);
 }
 
+/* Voxels on an axis of a level. */
+static inline uint16_t qv_level_size(uint16_t size, unsigned level)
+{
+    return (uint16_t)((size + ((uint32_t)1 << level) - 1u) >> level);
+}
+
 /* Whether a checked volume can have this pyramid. QV_OK, QV_ERROR_LEVEL (also without
    a pyramid), _NULL, _STRIDE, _BUFFER. */
 qv_status qv_pyramid_check(const qv_volume *volume, const qv_pyramid *pyramid);

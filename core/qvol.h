@@ -1198,7 +1198,7 @@ typedef enum qv_interpolation {
 
 #define QV_LAMPS_MAX 4u
 
-/* A light far away, so that it falls on all voxels from one direction. */
+/* A directional light: far away, so that it falls on all voxels from one direction. */
 typedef struct qv_lamp {
     int16_t direction[3]; /* to the light, in world axes, any length but 0 */
     uint16_t colour[3];   /* 65535 is 1 */

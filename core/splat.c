@@ -5,6 +5,7 @@
 #include "entry.h"
 #include "kernel.h"
 #include "lighting.h"
+#include "pyramid.h"
 #include "thickness.h"
 
 /* Pixels of a row that are weighed at a time. */

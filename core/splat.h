@@ -72,12 +72,6 @@ int qv_sight_of(qv_sight *sight, const qv_splats *splats, const int32_t half[3],
    something coarser, nor is it itself too coarse. */
 int qv_splat_belongs(const qv_splats *splats, const uint16_t position[3], unsigned level);
 
-/* Voxels of a level on an axis. */
-static inline uint32_t qv_level_size(uint16_t size, unsigned level)
-{
-    return (size + ((uint32_t)1 << level) - 1u) >> level;
-}
-
 /* Adds a voxel whose position, memory and sums were checked. */
 void qv_splat_put(const qv_sums *sums, const qv_splats *splats, const qv_freevoxel *voxel);
 

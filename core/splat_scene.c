@@ -5,6 +5,7 @@
 #include "kernel.h"
 #include "layout.h"
 #include "lighting.h"
+#include "order.h"
 #include "palette.h"
 #include "splat.h"
 #include "storage.h"
@@ -18,11 +19,6 @@
 /* Light of a voxel that covers a pixel alone and is opaque, Q10.22: 255 levels. */
 #define WHITE ((uint32_t)255 << 22)
 
-static uint32_t magnitude(int32_t v)
-{
-    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
-}
-
 /* ---- Checks ----------------------------------------------------------------- */
 
 static qv_status check_volume(const qv_volume *volume, const qv_domain *domain)
@@ -32,9 +28,8 @@ static qv_status check_volume(const qv_volume *volume, const qv_domain *domain)
         return QV_ERROR_STORAGE;
     if (domain->of_opacity == qv_storage_extinction(storage))
         return QV_ERROR_STORAGE;
-    for (unsigned axis = 0; axis < 3; axis++)
-        if (volume->size[axis] == 0 || volume->size[axis] > QV_AXIS_MAX)
-            return QV_ERROR_SIZE;
+    if (!qv_box_valid(volume->size))
+        return QV_ERROR_SIZE;
     qv_status status =
         qv_palette_check(volume, qv_channel_bytes(storage), qv_storage_indexed(storage));
     return status == QV_OK ? qv_spacing_check(volume->spacing) : status;
@@ -46,7 +41,7 @@ static int is_rotation(const int32_t rotation[3][3])
     for (unsigned row = 0; row < 3; row++) {
         uint32_t v[3];
         for (unsigned axis = 0; axis < 3; axis++)
-            v[axis] = magnitude(rotation[row][axis]);
+            v[axis] = qv_magnitude(rotation[row][axis]);
         uint32_t length = qv_length_of(v);
         if (length < ONE_Q30 - ROW_TOLERANCE || length > ONE_Q30 + ROW_TOLERANCE)
             return 0;
@@ -88,7 +83,7 @@ static qv_status check(const qv_splat_scene *scene)
    row * spacing / (2 pitch), where row * spacing * 2 < 2^56. */
 static int64_t half_in_pixels(int32_t row, uint32_t spacing, uint32_t pitch)
 {
-    uint64_t size = fx_wide_product(magnitude(row), spacing) << 1;
+    uint64_t size = fx_wide_product(qv_magnitude(row), spacing) << 1;
     int64_t pixels = (int64_t)fx_divide(size + pitch / 2u, pitch);
     return row < 0 ? -pixels : pixels;
 }
@@ -100,7 +95,7 @@ static fx_scaled width_across(const int32_t row[3], const uint32_t spacing[3])
     uint32_t v[3];
     for (unsigned axis = 0; axis < 3; axis++) /* Q30 * Q16 to Q23, at most 2^31 + 2^21 */
         v[axis] =
-            (uint32_t)(fx_wide_product(magnitude(row[axis]), qv_spacing(spacing, axis)) >> 23);
+            (uint32_t)(fx_wide_product(qv_magnitude(row[axis]), qv_spacing(spacing, axis)) >> 23);
     return fx_scaled_of(qv_length_of(v), -23);
 }
 
@@ -142,23 +137,13 @@ static qv_status set_geometry(qv_splats *splats)
 
 /* ---- Viewer ----------------------------------------------------------------- */
 
-/* World coordinates, Q31.32, below 2^58 in magnitude, as voxels with 16 fraction bits. */
-static void to_voxels(int64_t v[3], const int64_t world[3], const uint32_t spacing[3])
-{
-    for (unsigned axis = 0; axis < 3; axis++) {
-        uint64_t size = world[axis] < 0 ? 0u - (uint64_t)world[axis] : (uint64_t)world[axis];
-        int64_t voxels = (int64_t)fx_divide(size, qv_spacing(spacing, axis));
-        v[axis] = world[axis] < 0 ? -voxels : voxels;
-    }
-}
-
 /* Half voxels from the centre of the box to the eye, Q47.16: below 2^45. */
 static void eye_of(int64_t eye[3], const qv_splat_scene *scene, qv_coord distance)
 {
     int64_t world[3];
     for (unsigned axis = 0; axis < 3; axis++) /* twice the way */
         world[axis] = -fx_scale_q30(distance, scene->view.rotation[2][axis]) * 2;
-    to_voxels(eye, world, scene->volume.spacing);
+    qv_bearing_voxels(eye, world, scene->volume.spacing);
 }
 
 int qv_splat_eye(uint16_t position[3], const qv_splat_scene *scene)
@@ -189,7 +174,7 @@ static qv_status set_orthographic(qv_splats *splats)
     int32_t scaled[3];
     for (unsigned axis = 0; axis < 3; axis++) /* Q.56, which voxels turn into Q.40 */
         world[axis] = -(int64_t)scene->view.rotation[2][axis] * ((int64_t)1 << 26);
-    to_voxels(v, world, scene->volume.spacing);
+    qv_bearing_voxels(v, world, scene->volume.spacing);
     int halved = qv_bearing_scale(scaled, v);
     fx_scaled layers = fx_scaled_of(qv_bearing_largest(scaled), halved - 40);
     fx_scaled gain = fx_scaled_times(qv_splats_number(splats, QV_GAIN), layers);
@@ -221,7 +206,7 @@ static int corner_of(int32_t scaled[3], const qv_splats *splats, qv_coord distan
         world[axis] += (corner & 1u) != 0 ? right : -right;
         world[axis] += (corner & 2u) != 0 ? down : -down;
     }
-    to_voxels(v, world, scene->volume.spacing);
+    qv_bearing_voxels(v, world, scene->volume.spacing);
     if (!qv_bearing_leads(v))
         return 0;
     (void)qv_bearing_scale(scaled, v);

@@ -4,9 +4,7 @@
 #include "overlap.h"
 #include "pixels.h"
 #include "splat.h"
-
-/* What a sum that is full holds. */
-#define FULL 0xFFFFFFFFu
+#include "sum.h"
 
 static size_t width_of(const qv_sums *sums)
 {
@@ -75,10 +73,8 @@ qv_status qv_sums_add(const qv_sums *to, const qv_sums *from)
     uintptr_t a = (uintptr_t)to->sums, b = (uintptr_t)from->sums;
     if ((a < b ? b - a : a - b) < count * sizeof(uint32_t))
         return QV_ERROR_OVERLAP;
-    for (size_t i = 0; i < count; i++) {
-        uint32_t sum = to->sums[i] + from->sums[i];
-        to->sums[i] = sum < from->sums[i] ? FULL : sum;
-    }
+    for (size_t i = 0; i < count; i++)
+        to->sums[i] = qv_sum_of(to->sums[i], from->sums[i]);
     return QV_OK;
 }
 
@@ -86,7 +82,7 @@ static int is_full(const qv_sums *sums)
 {
     size_t count = count_of(sums);
     for (size_t i = 0; i < count; i++)
-        if (sums->sums[i] == FULL)
+        if (sums->sums[i] == QV_SUM_FULL)
             return 1;
     return 0;
 }
@@ -108,8 +104,7 @@ static int is_over(const qv_image *image, const qv_sums *sums)
 static void finish(qv_pixel *pixel, const uint32_t *sum, const uint32_t behind[4])
 {
     uint32_t covered = sum[3] < QV_LEVEL_ONE ? sum[3] : QV_LEVEL_ONE;
-    uint32_t left = QV_LEVEL_ONE - covered; /* 257 and 1/256 of it are Q0.32 of 1 */
-    uint32_t clear = 257u * left + (left >> 8) + (left >> 16);
+    uint32_t clear = qv_part_of_level(QV_LEVEL_ONE - covered);
     uint32_t opacity = covered + fx_high_product(clear, behind[3]);
     for (unsigned c = 0; c < 3; c++) {
         uint32_t light = sum[c] < QV_LEVEL_ONE ? sum[c] : QV_LEVEL_ONE;

@@ -78,15 +78,17 @@ static void check_attenuated(qv_status status, const struct model *model)
 }
 
 /* Attenuation is a matter of proportions: lengths that a deep level has, and the library does not
-   take, are all halved. */
+   take, are all halved, unit distances rounded up to stay above 0. An extinction of 2^31 or more
+   would be too much for lengths above 256 anyway. */
 static void shrink(qv_volume *volume)
 {
-    while (volume->spacing[0] > SPACING_MOST || volume->spacing[1] > SPACING_MOST ||
-           volume->spacing[2] > SPACING_MOST) {
+    while (volume->spacing[0] > FREEVOXEL_SPACING_MOST ||
+           volume->spacing[1] > FREEVOXEL_SPACING_MOST ||
+           volume->spacing[2] > FREEVOXEL_SPACING_MOST) {
         for (unsigned a = 0; a < 3; a++) {
             volume->spacing[a] /= 2;
         }
-        volume->unit_distance /= 2;
+        volume->unit_distance -= volume->unit_distance / 2;
         volume->extinction *= 2;
     }
 }

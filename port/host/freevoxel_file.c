@@ -107,7 +107,8 @@ static void read_size(struct freevoxel_file *file)
             data_error(file->name, "size", "%u voxels on axis %u, not 1 to %d", volume->size[a], a,
                        QV_AXIS_MAX);
         }
-        if (volume->spacing[a] < SPACING_LEAST || volume->spacing[a] > SPACING_MOST) {
+        if (volume->spacing[a] < FREEVOXEL_SPACING_LEAST ||
+            volume->spacing[a] > FREEVOXEL_SPACING_MOST) {
             data_error(file->name, "spacing", "%g on axis %u, not 1/16 to 256",
                        volume->spacing[a] / (double)QV_ONE_Q16, a);
         }

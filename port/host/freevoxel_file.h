@@ -42,8 +42,8 @@
 
 enum freevoxel_order { FREEVOXEL_LINEAR, FREEVOXEL_MORTON, FREEVOXEL_HILBERT, FREEVOXEL_ORDERS };
 /* The library's range of spacings, 1/16 .. 256, Q16.16. */
-#define SPACING_LEAST (QV_ONE_Q16 / 16)
-#define SPACING_MOST  (QV_ONE_Q16 * 256)
+#define FREEVOXEL_SPACING_LEAST (QV_ONE_Q16 / 16)
+#define FREEVOXEL_SPACING_MOST  (QV_ONE_Q16 * 256)
 
 enum freevoxel_hierarchy {
     FREEVOXEL_NO_LEVELS,

@@ -295,13 +295,31 @@ static void background(void **state)
     }
 }
 
+/* Sums may have more colour than opacity, and more of both than 1; pixels have not. */
+static void pixels_of_any_sums(void **state)
+{
+    static splat_fixture f;
+    static const uint8_t expected[3][4] = {{100, 100, 20, 100}, {255, 255, 3, 255}, {0, 0, 0, 0}};
+    static const uint32_t sums[3][4] = {{200u << 16, 100u << 16, 20u << 16, 100u << 16},
+                                        {900u << 16, 255u << 16, 3u << 16, 300u << 16},
+                                        {77u << 16, 5u << 16, 1u << 16, 0}};
+    qv_splats splats;
+    (void)state;
+    splat_begin(&f, 62, 0);
+    splat_init(&splats, &f);
+    assert_int_equal(qv_sums_clear(&f.target, &splats), QV_OK);
+    memcpy(f.sums, sums, sizeof sums);
+    assert_int_equal(qv_sums_read_out(&f.image, &f.target, &splats), QV_OK);
+    assert_memory_equal(f.pixels, expected, sizeof expected);
+}
+
 /* A viewer in front sees the front: opaque layers of two colours. */
 static void what_lies_in_front(void **state)
 {
     static splat_fixture f;
     static const qv_splatting *const splattings[] = {&qv_splatting_added, &qv_splatting_over};
     (void)state;
-    for (unsigned i = 0; i < 4; i++) {
+    for (unsigned i = 0; i < 8; i++) {
         qv_splats splats;
         splat_begin(&f, 58, 0);
         for (unsigned v = 0; v < VOXELS; v++) {
@@ -309,13 +327,13 @@ static void what_lies_in_front(void **state)
             memcpy(f.voxels + 4 * v, front ? "\xFF\x00\x00\xFF" : "\x00\xFF\x00\xFF", 4);
         }
         splat_attenuate(&f);
-        qv_rotation(f.scene.view.rotation, i / 2 == 0 ? 0 : splat_degrees(180), 0, 0);
-        f.scene.field_of_view = splat_degrees(20);
+        qv_rotation(f.scene.view.rotation, i / 2 % 2 == 0 ? 0 : splat_degrees(180), 0, 0);
+        f.scene.field_of_view = i < 4 ? splat_degrees(20) : 0;
         f.scene.splatting = splattings[i % 2];
         splat_init(&splats, &f);
         splat_draw(&f, &splats);
         const uint32_t *sum = f.sums + (FRAME / 2 * FRAME + FRAME / 2) * QV_SUM_CHANNELS;
-        const unsigned seen = i / 2 == 0 ? 0 : 1;
+        const unsigned seen = i / 2 % 2 == 0 ? 0 : 1;
         if (i % 2 == 0)
             assert_true(sum[seen] > 254u << 16 && sum[1 - seen] < 1u << 12);
         else /* a fifth leaks through three layers */
@@ -387,6 +405,7 @@ int main(void)
         cmocka_unit_test(levels_cover_each_place_once),
         cmocka_unit_test(full_sums),
         cmocka_unit_test(background),
+        cmocka_unit_test(pixels_of_any_sums),
         cmocka_unit_test(what_lies_in_front),
         cmocka_unit_test(inside_without_an_eye_inside),
         cmocka_unit_test(voxel_at_the_eye),

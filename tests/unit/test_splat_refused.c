@@ -357,6 +357,11 @@ static void blocks(void **state)
     expect_block(&splat_all, 0, QV_ERROR_OVERLAP);
     f.attenuation.records = (const uint8_t *)f.sums;
     expect_block(&splat_all, 0, QV_ERROR_OVERLAP);
+    f.scene.volume.storage = f.volume.storage = QV_STORAGE_INDEXED8; /* a palette in the sums */
+    f.scene.volume.palette_bytes = f.volume.palette_bytes = QV_PALETTE8_BYTES;
+    f.scene.volume.palette = f.volume.palette = (const uint8_t *)f.sums;
+    splat_init(&splats, &f);
+    expect_block(&splat_all, 0, QV_ERROR_OVERLAP);
 }
 
 static int no_voxel(void *user, qv_freevoxel *voxel)
