@@ -243,6 +243,48 @@ static void levels_cover_each_place_once(void **state)
     assert_true(coarser > 1000);
 }
 
+/* Whether a voxel is drawn where it belongs to the picture. */
+static int is_seen(const qv_splats *splats, const uint16_t at[3], unsigned level)
+{
+    qv_sight sight;
+    int32_t half[3];
+    qv_half_voxels(half, splats->scene.volume.size, at, level);
+    return qv_sight_of(&sight, splats, half, level);
+}
+
+/* An eye among the voxels: what it sees of them is not lost in coarser ones that it is too near
+   to. */
+static void levels_round_an_eye(void **state)
+{
+    static splat_fixture f;
+    unsigned coarser = 0;
+    (void)state;
+    for (unsigned i = 0; i < 40; i++) {
+        qv_splats splats;
+        splat_begin(&f, 63, 0);
+        f.scene.volume.size[0] = f.scene.volume.size[1] = f.scene.volume.size[2] = 16;
+        f.scene.coarsest = 4;
+        f.scene.detail = 0xFFFF;
+        f.scene.field_of_view = splat_degrees(90);
+        f.scene.view.pitch = QV_ONE_Q16 * (i + 1u) / 64u;
+        f.scene.splatting = &qv_splatting_over; /* an eye inside needs no bytes */
+        qv_rotation(f.scene.view.rotation, splat_degrees(9 * i), splat_degrees(5 * i), 0);
+        splat_init(&splats, &f);
+        for (unsigned v = 0; v < 4096; v += 3) {
+            const uint16_t at[3] = {v % 16, v / 16 % 16, (uint16_t)(v / 256)};
+            for (unsigned level = 1; is_seen(&splats, at, 0) && level <= 4; level++) {
+                const uint16_t whole[3] = {(uint16_t)(at[0] >> level), (uint16_t)(at[1] >> level),
+                                           (uint16_t)(at[2] >> level)};
+                if (!qv_splat_belongs(&splats, whole, level))
+                    continue;
+                assert_true(is_seen(&splats, whole, level));
+                coarser++;
+            }
+        }
+    }
+    assert_true(coarser > 1000);
+}
+
 /* 257 times white is too much; what is full stays full, and no picture is made of it. */
 static void full_sums(void **state)
 {
@@ -403,6 +445,7 @@ int main(void)
         cmocka_unit_test(layers_of_voxels),
         cmocka_unit_test(wide_voxels_in_perspective),
         cmocka_unit_test(levels_cover_each_place_once),
+        cmocka_unit_test(levels_round_an_eye),
         cmocka_unit_test(full_sums),
         cmocka_unit_test(background),
         cmocka_unit_test(pixels_of_any_sums),
