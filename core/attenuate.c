@@ -218,7 +218,7 @@ static qv_status check_overlap(const void *to, const uint32_t *blocks,
                                const qv_attenuation *attenuation, const qv_volume *volume)
 {
     uint64_t bytes = qv_attenuation_bytes(attenuation);
-    uint64_t block_bytes = qv_attenuation_blocks(volume->size);
+    uint64_t block_bytes = qv_blocks_bytes(volume->size);
     if (qv_palette_meets(volume, to, bytes) ||
         (qv_voxels_meet(volume, to, bytes) && !in_gaps(volume, to, attenuation)))
         return QV_ERROR_OVERLAP;
@@ -269,7 +269,7 @@ qv_status qv_attenuate(void *to, size_t bytes, uint32_t *blocks, const qv_attenu
         return status;
     p.blocks = blocks;
     if (blocks)
-        memset(blocks, 0, (size_t)qv_attenuation_blocks(volume->size));
+        memset(blocks, 0, (size_t)qv_blocks_bytes(volume->size));
     pass_volume(&p);
     return QV_OK;
 }

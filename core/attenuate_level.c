@@ -69,7 +69,7 @@ qv_status qv_attenuate_level(void *to, size_t bytes, const qv_attenuation *atten
     if (status != QV_OK)
         return status;
     if (qv_regions_meet((uintptr_t)blocks - (uintptr_t)to, qv_attenuation_bytes(attenuation),
-                        qv_attenuation_blocks(size)))
+                        qv_blocks_bytes(size)))
         return QV_ERROR_OVERLAP;
 
     for (at[2] = 0; at[2] < end[2]; at[2]++)

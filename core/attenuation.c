@@ -49,6 +49,15 @@ uint64_t qv_attenuation_bytes(const qv_attenuation *attenuation)
     return extent(attenuation);
 }
 
+/* At most 2^33 blocks. */
+uint64_t qv_blocks_bytes(const uint16_t size[3])
+{
+    if (!size || !qv_box_valid(size))
+        return 0;
+    uint32_t slice = (uint32_t)qv_coarser_size(size[0]) * qv_coarser_size(size[1]);
+    return fx_wide_product(slice, (uint32_t)sizeof(uint32_t) * qv_coarser_size(size[2]));
+}
+
 qv_address qv_attenuation_at(const qv_attenuation *attenuation, const uint16_t position[3])
 {
     if (!attenuation || !attenuation->records || !position ||

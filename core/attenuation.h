@@ -67,13 +67,6 @@ static inline size_t qv_target_offset(const qv_target *target, const uint16_t po
 /* Sums of the depths of 2 x 2 x 2 voxels, each at most 64: Q9.22, at most 2^31. */
 #define QV_BLOCK_FRACTION 22u
 
-/* Bytes of the sums of a volume: at most 2^33 * 4. */
-static inline uint64_t qv_attenuation_blocks(const uint16_t size[3])
-{
-    uint32_t slice = (uint32_t)qv_coarser_size(size[0]) * qv_coarser_size(size[1]);
-    return fx_wide_product(slice, (uint32_t)sizeof(uint32_t) * qv_coarser_size(size[2]));
-}
-
 /* Where among them the sum of a voxel's block lies. */
 static inline size_t qv_attenuation_block(const uint16_t size[3], const uint16_t position[3])
 {

@@ -1133,6 +1133,10 @@ typedef struct qv_attenuation {
    read. */
 uint64_t qv_attenuation_bytes(const qv_attenuation *attenuation);
 
+/* Bytes of the sums that coarser levels are made of (`blocks` below), for a volume of this size:
+   one uint32_t for each block of 2 x 2 x 2 voxels. 0 where an axis is out of range. */
+uint64_t qv_blocks_bytes(const uint16_t size[3]);
+
 /* The bytes of a voxel; null where it lies outside of the level, or the descriptor is wrong. */
 qv_address qv_attenuation_at(const qv_attenuation *attenuation, const uint16_t position[3]);
 
@@ -1146,8 +1150,8 @@ qv_address qv_attenuation_at(const qv_attenuation *attenuation, const uint16_t p
  * `to` and `bytes` are the memory that attenuation describes, whose own address and length are
  * not read; bytes of other directions stay, as does what lies between records. That may be the
  * volume's voxels themselves, all at the same place of a record, with strides of whole records.
- * blocks: null, or memory for the sums that coarser levels are made of, one for each block of
- * 2 x 2 x 2 voxels, ceil(size / 2) on an axis, x fastest, which this direction overwrites.
+ * blocks: null, or qv_blocks_bytes of memory for the sums that coarser levels are made of,
+ * ceil(size / 2) on an axis, x fastest, which this direction overwrites.
  *
  * Depths add up in 64 bits; each byte is rounded once, to nearest, and within .51 of exact on lines
  * of up to 1000 unit distances, or 1000 voxels where there is none (.52 up to 4096). On longer ones

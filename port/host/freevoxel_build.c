@@ -124,11 +124,7 @@ static void average(const struct build *build, uint8_t number, uint8_t direction
 
 static uint32_t *allocate_blocks(const struct build *build)
 {
-    uint64_t blocks = 1;
-    for (unsigned a = 0; a < 3; a++) {
-        blocks *= (build->volume->size[a] + 1u) / 2u;
-    }
-    return allocate(blocks * sizeof(uint32_t), build->model->scan.file, "levels");
+    return allocate(qv_blocks_bytes(build->volume->size), build->model->scan.file, "levels");
 }
 
 /* The set's direction of that rank. */

@@ -17,6 +17,11 @@ static void bytes_of_records(void **state)
     a.size[0] = 3;
     a.size[1] = 4;
     a.size[2] = 5;
+    assert_int_equal(qv_blocks_bytes(a.size),
+                     4 * ((a.size[0] + 1) / 2) * ((a.size[1] + 1) / 2) * ((a.size[2] + 1) / 2));
+    const uint16_t most[3] = {4096, 4096, 4096}, none[3] = {4, 0, 4};
+    assert_true(qv_blocks_bytes(most) == (uint64_t)1 << 35);
+    assert_true(qv_blocks_bytes(none) == 0 && qv_blocks_bytes(NULL) == 0);
     assert_int_equal(qv_attenuation_bytes(&a), 60 * 26);
     a.record = 30;
     assert_int_equal(qv_attenuation_bytes(&a), 59 * 30 + 26);
