@@ -1357,8 +1357,8 @@ typedef struct qv_freevoxel {
  * them, has no opacity or lies outside of the frame adds nothing; in perspective neither does what
  * is less than 1/64 or more than 4096 pixels wide, not half a voxel in front of the eye, or farther
  * from the frame's centre than the frame's width or height and the kernel's, as it is at the
- * distance of the volume's centre or for a voxel as wide as `detail`. (Nor what QV_NEAREST finds no direction for
- * within 60 degrees: qv_splat_init tries the corners of such a frame only.)
+ * distance of the volume's centre or for a voxel as wide as `detail`. (Nor what QV_NEAREST finds no
+ * direction for within 60 degrees: qv_splat_init tries the corners of such a frame only.)
  *
  * The opacity is that of the voxel's depth along a step towards the viewer, and the weights of a
  * layer of voxels across the view sum to 1: exactly where the voxels' axes are the picture's, else

@@ -37,9 +37,9 @@ static inline fx_scaled qv_scaled_up(fx_scaled number, unsigned level)
 }
 
 /*
- * How far from the middle of the frame an eye sees voxels, in pixels, Q16.16: a width or height of the
- * frame, and the kernel of what is drawn at the distance of the volume's centre, or of the widest
- * voxel of coarser levels. At most 2^31 + 3 * 2^28.
+ * How far from the middle of the frame an eye sees voxels, in pixels, Q16.16: a width or height of
+ * the frame, and the kernel of what is drawn at the distance of the volume's centre, or of the
+ * widest voxel of coarser levels. At most 2^31 + 3 * 2^28.
  */
 uint32_t qv_splats_reach(const qv_splats *splats, unsigned axis);
 

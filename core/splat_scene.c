@@ -190,8 +190,8 @@ static qv_status set_orthographic(qv_splats *splats)
     return qv_bearing_of(&splats->viewer, &splats->length, &splats->compass, scaled);
 }
 
-/* From a corner of what an eye sees, the way to the eye; 0 where that is no way at all. Voxels whose
-   centres lie beyond are not drawn. */
+/* From a corner of what an eye sees, the way to the eye; 0 where that is no way at all. Voxels
+   whose centres lie beyond are not drawn. */
 static int corner_of(int32_t scaled[3], const qv_splats *splats, qv_coord distance, unsigned corner)
 {
     const qv_splat_scene *scene = &splats->scene;
