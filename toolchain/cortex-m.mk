@@ -19,4 +19,4 @@ TARGET_LDLIBS := -lgcc
 TARGET_SCRIPTS := toolchain/$(TARGET_BOARD).ld toolchain/cortex-m.ld
 
 TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices golden_splats bench \
-	functions blends ball freevoxels size_orthographic size_perspective size_splats
+	functions blends ball freevoxels

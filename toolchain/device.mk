@@ -27,9 +27,6 @@ COUNT_PLUGIN := $(BUILD)/emulator/count.so
 AVR_SIMULATOR := $(BUILD)/emulator/avr
 
 # Sources of each firmware beside the port and the library.
-FIRMWARE_size_orthographic := $(addprefix port/cortex-m/,firmware_size.c firmware_size_orthographic.c)
-FIRMWARE_size_perspective := $(addprefix port/cortex-m/,firmware_size.c firmware_size_perspective.c)
-FIRMWARE_size_splats := port/cortex-m/firmware_size_splats.c
 GOLDEN_ON_DEVICE := $(addprefix tests/golden/,golden_device.c scenes.c volume.c render.c)
 FIRMWARE_golden_steps := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_steps_device.c set_steps.c)
 FIRMWARE_golden_lengths := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_lengths_device.c set_lengths.c)
@@ -43,6 +40,10 @@ FIRMWARE_blends := tests/bench/blends_device.c
 BALL_IN_FLASH := $(TARGET_PORT_FOLDER)/ball_flash.c port/ball.c
 FIRMWARE_ball := port/firmware_ball.c $(BALL_IN_FLASH)
 FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
+SIZES := minimal perspective rays extinction dithering pyramid freevoxels everything
+SIZE_COMMON := $(filter-out tests/size/configuration_%,$(wildcard tests/size/*.c))
+$(foreach name,$(SIZES),$(eval FIRMWARE_size_$(name) := tests/size/configuration_$(name).c $(SIZE_COMMON)))
+TARGET_FIRMWARE += $(SIZES:%=size_%)
 FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
 
 DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \
