@@ -1,6 +1,6 @@
 # qvol: an integer-only volume renderer. `make help` lists the targets.
 #
-# Variables: TARGET=host|cortex-m0|cortex-m3|avr, CC, CFLAGS, OPTIMISE=-O2,
+# Variables: TARGET=host or a device, see toolchain/TARGETS.md; CC, CFLAGS, OPTIMISE=-O2,
 # PREFIX=/usr/local, WITHOUT="png nifti nrrd mpi cmocka" (leave out what is installed).
 
 .DEFAULT_GOAL := all
@@ -9,7 +9,8 @@ MAKEFLAGS += --no-builtin-rules
 
 BUILD := build
 TARGET ?= host
-DEVICES := cortex-m0 cortex-m3 avr
+# A device is a file that names its board or its processor.
+DEVICES := $(sort $(patsubst toolchain/%.mk,%,$(shell grep -l '^TARGET_CPU\|^TARGET_BOARD' toolchain/*.mk)))
 OUT := $(BUILD)/$(TARGET)
 PREFIX ?= /usr/local
 LIBRARY := $(OUT)/libqvol.a
@@ -38,6 +39,9 @@ endif
 LIBRARY_SOURCES := $(sort $(wildcard core/*.c fixedpoint/*.c))
 LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o)
 LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) -Icore -Ifixedpoint
+ifneq ($(TARGET),host)
+LIBRARY_CFLAGS += -fstack-usage
+endif
 
 .PHONY: all lib
 ifeq ($(TARGET),host)
@@ -79,6 +83,7 @@ ifeq ($(TARGET),host)
 include port/host/host.mk
 include port/mpi/mpi.mk
 include tests/tests.mk
+include tests/size/size.mk
 else
 include toolchain/device.mk
 endif
@@ -89,8 +94,11 @@ firmware: ## firmware for a device: make firmware TARGET=cortex-m3
 	@echo "make: name a device: make firmware TARGET=cortex-m3" >&2; exit 2
 endif
 
-size: ## bytes of code, tables and stack on a Cortex-M0, by function
-	tests/static/size.sh --table
+# One board for each processor.
+SIZE_TARGETS := $(filter-out cortex-m3-mps2,$(DEVICES)) host
+
+size: ## bytes of code, tables, contexts and stack on each target, by what a program uses
+	@tests/size/sizes.sh lines $(SIZE_TARGETS) | tests/size/sizes.sh table
 
 bench: $(QVOL) ## instructions per sample on the devices, samples per second on the host
 	tests/bench/bench.sh

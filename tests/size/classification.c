@@ -16,6 +16,7 @@ qv_status use_classification(void)
     qv_classifier classifier = {.low = 10, .high = 240};
     qv_volume volume;
     qv_status status = QV_OK;
+    size_scratch_bytes(sizeof transfer);
     volume_describe(&volume);
     classifier.scalars = (qv_scalars){.values = volume.voxels,
                                       .values_bytes = VOLUME_VOXELS,

@@ -27,6 +27,7 @@ qv_status use_dithering(void)
                               .blend = &qv_over_rgb888};
     const qv_image image = {size_memory, SIZE_MEMORY - BUFFER_BYTES, SIZE_WIDTH * 2,
                             &qv_format_rgb565_le};
+    size_scratch_bytes(BUFFER_BYTES);
     qv_status status = draw_slices(&buffer);
     SIZE_CALL(status, qv_read_out(&image, &buffer, &size_context, &size_frame));
     return status;

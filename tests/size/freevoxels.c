@@ -69,6 +69,8 @@ qv_status use_freevoxels(void)
     static qv_splat_scene scene;
     qv_volume volume;
     volume_describe(&volume);
+    size_context_bytes(sizeof splats);
+    size_scratch_bytes(sizeof memory);
     describe(&scene, &volume);
     qv_status status = make_attenuation(&volume);
     SIZE_CALL(status, qv_splat_init(&splats, &scene));

@@ -9,6 +9,25 @@ uint8_t size_memory[SIZE_MEMORY];
 qv_context size_context;
 const qv_rect size_frame = {0, 0, SIZE_WIDTH, SIZE_HEIGHT};
 
+static uint32_t context_bytes, scratch_bytes;
+
+void size_context_bytes(size_t bytes)
+{
+    context_bytes += (uint32_t)bytes;
+}
+
+void size_scratch_bytes(size_t bytes)
+{
+    scratch_bytes = bytes > scratch_bytes ? (uint32_t)bytes : scratch_bytes;
+}
+
+static void print_figure(const char *name, uint32_t bytes)
+{
+    console_text(name);
+    console_decimal(bytes);
+    console_text("\n");
+}
+
 void size_scene(qv_scene *scene, qv_view *view, const qv_sampling *sampling)
 {
     *scene = (qv_scene){.sampling = sampling,
@@ -34,7 +53,10 @@ qv_status size_render(const qv_scene *scene)
 int main(void)
 {
     qv_status status = QV_OK;
+    size_context_bytes(sizeof size_context); /* which all that cast rays share */
     for (size_use *const *use = size_uses; *use != NULL && status == QV_OK; use++)
         status = (*use)();
+    print_figure("context ", context_bytes);
+    print_figure("scratch ", scratch_bytes);
     return -(int)status;
 }

@@ -37,6 +37,11 @@ qv_status use_dithering(void);  /* slices into a frame buffer of 8 bits that sta
 qv_status use_pyramid(void);    /* levels made, chosen and sampled by extinction */
 qv_status use_freevoxels(void); /* attenuation made, splats drawn, lit by a lamp */
 
+/* Tells what a use wants of the caller's memory: bytes that live as long as a scene, and bytes
+   to work in that uses may share. */
+void size_context_bytes(size_t bytes);
+void size_scratch_bytes(size_t bytes);
+
 /* ---- Shared between them --------------------------------------------------- */
 
 /* Memory that they use in turn: pixels, or what is made of voxels. */
