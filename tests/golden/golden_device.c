@@ -4,7 +4,6 @@
 #include "golden.h"
 #include "golden_device.h"
 #include "console.h"
-#include "stack.h"
 
 static golden_memory memory;
 
@@ -61,8 +60,6 @@ int golden_run(const golden_set *set)
     }
     console_text("1..");
     console_decimal(set->end - set->first);
-    console_text("\n# stack ");
-    console_decimal(stack_high_water());
-    console_text(" bytes\n");
+    console_text("\n");
     return failures;
 }
