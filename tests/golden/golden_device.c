@@ -27,10 +27,12 @@ static void print_difference(qv_status status, golden_way way, uint32_t checksum
     console_text("# ");
     console_text(golden_way_name[way]);
     console_text(": ");
-    if (status != QV_OK)
-        console_text(qv_status_text(status));
-    else
+    if (status != QV_OK) {
+        console_text("error ");
+        console_decimal((uint32_t)-status);
+    } else {
         console_hexadecimal(checksum);
+    }
     console_text("\n");
 }
 
