@@ -83,7 +83,6 @@ ifeq ($(TARGET),host)
 include port/host/host.mk
 include port/mpi/mpi.mk
 include tests/tests.mk
-include tests/size/size.mk
 else
 include toolchain/shared/device.mk
 endif
@@ -94,8 +93,8 @@ firmware: ## firmware for a device: make firmware TARGET=cortex-m3
 	@echo "make: name a device: make firmware TARGET=cortex-m3" >&2; exit 2
 endif
 
-# One board for each processor.
-SIZE_TARGETS := $(filter-out cortex-m3-mps2,$(DEVICES)) host
+# One of each processor.
+SIZE_TARGETS := $(filter-out cortex-m3-mps2 host-clang host-32,$(DEVICES))
 
 size: ## bytes of code, tables, contexts and stack on each target, by what a program uses
 	@tests/size/sizes.sh lines $(SIZE_TARGETS) | tests/size/sizes.sh table

@@ -1,17 +1,18 @@
 #!/bin/sh
 # The figures of one program of size.mk, in bytes, as a line of words:
 #
-#     tests/size/measure.sh TARGET NAME OBJDUMP
+#     tests/size/measure.sh TARGET NAME [OBJDUMP]
 #
 #     TARGET NAME CODE TABLES DATA BSS CONTEXT SCRATCH GRAPH RUN CALL
 #
 # CONTEXT is what the library keeps of a scene in the caller's memory, SCRATCH what it works
 # in there beside pixels (size.h). GRAPH is the deepest stack below any call of a function that is
 # linked, by the graph of calls, and CALL which; RUN what the emulator saw below the calls that
-# were made, which must not be more. "-" stands for what cannot be told.
+# were made, which must not be more. "-" stands for what cannot be told: without OBJDUMP
+# stacks, as of a machine that keeps its own.
 set -eu
-if [ $# -ne 3 ]; then
-    echo "usage: tests/size/measure.sh TARGET NAME OBJDUMP" >&2
+if [ $# -ne 2 ] && [ $# -ne 3 ]; then
+    echo "usage: tests/size/measure.sh TARGET NAME [OBJDUMP]" >&2
     exit 2
 fi
 out=${BUILD:-build}/$1
@@ -20,15 +21,19 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 toolchain/size_report "$program.map" >"$work/sizes"
-toolchain/stack_report "$3" "$program.elf" "$program.map" "$out" tests/size/indirect_calls \
-    >"$work/graph"
+echo - - >"$work/graph"
+if [ $# -eq 3 ]; then
+    export EMULATOR_REPORT="$work/regions"
+    toolchain/stack_report "$3" "$program.elf" "$program.map" "$out" tests/size/indirect_calls \
+        >"$work/graph"
+fi
 run=-
 if [ "$2" = library ]; then
     printf 'context -\nscratch -\n' >>"$work/sizes"
-elif [ "$1" = host ]; then
-    "$program.elf" >>"$work/sizes"
 else
-    EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$program.elf" >>"$work/sizes"
+    toolchain/emulate "$1" "$program.elf" >>"$work/sizes"
+fi
+if [ -s "$work/regions" ]; then
     run=$(awk '{ for (i = 3; i < NF; i += 2) if ($i == "stack" && $(i + 1) > most) most = $(i + 1) }
                END { print most }' "$work/regions")
 fi

@@ -13,15 +13,10 @@ usage() {
 kind=$1
 shift
 
-# lines TARGET: a host has its own flags, and so its own folder; devices share what others build.
+# lines TARGET: the golden tests build the same library.
 lines() {
-    build=${BUILD:-build}
-    flags=
-    if [ "$1" = host ]; then
-        build=$build/size
-        flags="-fstack-usage -fno-pie"
-    fi
-    make -s TARGET="$1" BUILD="$build" OPTIMISE=-Os CFLAGS="$flags" "$build/$1/sizes" >&2
+    build=${BUILD:-build}/golden-Os
+    make -s TARGET="$1" BUILD="$build" OPTIMISE=-Os "$build/$1/sizes" >&2
     cat "$build/$1/sizes"
 }
 

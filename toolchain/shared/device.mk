@@ -42,13 +42,14 @@ TARGET_BALL ?= port/ball_flash.c
 BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
 FIRMWARE_ball := port/firmware_ball.c $(BALL_IN_FLASH)
 FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
-include tests/size/size.mk
 FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
 
 DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \
 	-Icore -Ifixedpoint -Iport -I$(TARGET_PORT_FOLDER) -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
 DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CFLAGS) $(TARGET_LDFLAGS))
+
+include tests/size/size.mk
 
 # Objects of sources in the tree, and of generated ones, which lie in $(OUT).
 objects = $(patsubst %.c,$(OUT)/%.o,$(1:$(OUT)/%=%))
