@@ -1,6 +1,6 @@
 # qvol: an integer-only volume renderer. `make help` lists the targets.
 #
-# Variables: TARGET=host|cortex-m0|cortex-m3|avr, CC, CFLAGS, OPTIMISE=-O2,
+# Variables: TARGET=host or a device, see toolchain/TARGETS.md; CC, CFLAGS, OPTIMISE=-O2,
 # PREFIX=/usr/local, WITHOUT="png nifti nrrd mpi cmocka" (leave out what is installed).
 
 .DEFAULT_GOAL := all
@@ -9,7 +9,8 @@ MAKEFLAGS += --no-builtin-rules
 
 BUILD := build
 TARGET ?= host
-DEVICES := cortex-m0 cortex-m3 avr
+# A device is a file that names its board or its processor.
+DEVICES := $(sort $(patsubst toolchain/%.mk,%,$(shell grep -l '^TARGET_CPU\|^TARGET_BOARD' toolchain/*.mk)))
 OUT := $(BUILD)/$(TARGET)
 PREFIX ?= /usr/local
 LIBRARY := $(OUT)/libqvol.a
