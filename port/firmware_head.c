@@ -11,6 +11,7 @@
 #include "console.h"
 #include "crc32.h"
 #include "head_view.h"
+#include "machine.h"
 #include "measure.h"
 #include "qvol.h"
 #include "semihosting.h"
@@ -30,7 +31,7 @@ static qv_status make_context(uint32_t frame)
     qv_view view = HEAD_VIEW;
     qv_scene scene = {
         .volume = head_volume,
-        .sampling = &qv_weighted_indexed8,
+        .sampling = &HEAD_SAMPLING,
         .phase = HEAD_PHASE,
         .termination = HEAD_TERMINATION,
         .background = HEAD_BACKGROUND,
