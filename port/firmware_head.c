@@ -3,7 +3,7 @@
  * picture never exists as a whole in RAM.
  *
  * The volume is written by `qvol classify`, the view by toolchain/view_header; both by the rules
- * of toolchain/device.mk. The head turns for ever; told a number, the program shows that frame of
+ * of toolchain/shared/head.mk. The head turns for ever; told a number, the program shows that frame of
  * the turn and waits, told "exit" it ends after one turn.
  */
 #include <stdbool.h>

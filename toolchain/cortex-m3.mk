@@ -3,7 +3,7 @@
 TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := lm3s6965evb
 TARGET_CPU := -mcpu=cortex-m3 -mthumb
-include toolchain/cortex-m.mk
+include toolchain/shared/cortex-m.mk
 
 # The head on the OLED: 205 KB of indices in flash.
 TARGET_PANEL := oled

@@ -10,4 +10,4 @@ TARGET_EMULATOR := qemu-system-arm -M $(TARGET_BOARD) -icount shift=8,sleep=off
 TARGET_PORT_FOLDER := port/cortex-m
 TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 
-include toolchain/firmware.mk
+include toolchain/shared/firmware.mk

@@ -1,4 +1,4 @@
-# A head that turns on the panel of a board. toolchain/device.mk includes this file for
+# A head that turns on the panel of a board. toolchain/shared/device.mk includes this file for
 # targets that set
 #     TARGET_PANEL     the panel's driver in TARGET_PORT_FOLDER, and its header
 #     PANEL_OPTIONS    size and format of its pictures, as options of qvol

@@ -14,7 +14,7 @@
 #     emulator            prints what runs a firmware, for toolchain/emulate
 #     $(COUNT_PLUGIN)     the emulator's counting plugin
 #     $(AVR_SIMULATOR)    the emulator of AVR
-# What turns on boards with a panel is in toolchain/head.mk.
+# What turns on boards with a panel is in toolchain/shared/head.mk.
 
 COUNT_PLUGIN := $(BUILD)/emulator/count.so
 AVR_SIMULATOR := $(BUILD)/emulator/avr
@@ -100,7 +100,7 @@ $(TARGET_BALL:%.c=$(OUT)/%.o): $(OUT)/ball.volume
 # ---- The turning head ---------------------------------------------------------------
 
 ifdef TARGET_PANEL
-include toolchain/head.mk
+include toolchain/shared/head.mk
 endif
 
 # ---- The emulators ----------------------------------------------------------------
@@ -109,7 +109,7 @@ endif
 # Their building is told on stderr, since scripts read what this prints.
 .PHONY: emulator
 emulator: $(TARGET_EMULATOR_NEEDS)
-	@echo "$(TARGET_EMULATOR) $(if $(REPORT),$(TARGET_COUNT)$(REPORT))"
+	@echo "$(TARGET_EMULATOR) $(if $(REPORT),$(or $(TARGET_COUNT),$(error nothing counts on $(TARGET)))$(REPORT))"
 
 $(COUNT_PLUGIN): tests/emulator/count.c
 	@mkdir -p $(@D)
