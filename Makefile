@@ -96,8 +96,19 @@ endif
 # One of each processor.
 SIZE_TARGETS := $(filter-out cortex-m3-mps2 host-clang host-32,$(DEVICES))
 
+.PHONY: size-lines size-update size-diff
 size: ## bytes of code, tables, contexts and stack on each target, by what a program uses
 	@tests/size/sizes.sh lines $(SIZE_TARGETS) | tests/size/sizes.sh table
+
+size-lines:
+	@tests/size/sizes.sh lines $(SIZE_TARGETS)
+
+size-update: ## write tests/size/SIZES.md anew
+	@tests/size/sizes.sh lines $(SIZE_TARGETS) | tests/size/sizes.sh document >$(BUILD)/SIZES.md
+	cp $(BUILD)/SIZES.md tests/size/SIZES.md
+
+size-diff: ## sizes beside those of another revision: make size-diff REV=v0.1
+	@tests/size/diff.sh "$(REV)" $(SIZE_TARGETS)
 
 bench: $(QVOL) ## instructions per sample on the devices, samples per second on the host
 	tests/bench/bench.sh
