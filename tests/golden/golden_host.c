@@ -78,6 +78,7 @@ static double compare(tally *difference, const uint8_t *pixels, const qv_scene *
         [GOLDEN_NEAREST] = REF_NEAREST,
         [GOLDEN_SEPARATE] = REF_SEPARATE,
         [GOLDEN_WEIGHTED] = REF_WEIGHTED,
+        [GOLDEN_PREWEIGHTED] = REF_WEIGHTED,
         [GOLDEN_CORRECTED] = REF_CORRECTED,
         [GOLDEN_EXTINCTION] = REF_EXTINCTION,
         [GOLDEN_BSPLINE_WEIGHTED] = REF_BSPLINE_WEIGHTED,
@@ -144,7 +145,7 @@ static void check_freevoxels(uint32_t number, const golden_scene *golden)
 /* ---- The sets of scenes --------------------------------------------------- */
 
 static const golden_set *const sets[] = {&golden_steps, &golden_lengths, &golden_bsplines,
-                                         &golden_slices, &golden_freevoxels};
+                                         &golden_slices, &golden_freevoxels, &golden_preweighted};
 
 enum { SETS = sizeof sets / sizeof *sets };
 
