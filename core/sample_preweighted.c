@@ -66,8 +66,7 @@ static void begin(qv_passage *passage, qv_ray *ray, const qv_volume *volume)
         passage->place[axis] = (uint32_t)ray->place[axis];
         passage->next[axis] = cell.next[axis];
     }
-    passage->samples =
-        zone == INSIDE ? leave_inside(ray, volume) : leave_zone(ray, volume, zone);
+    passage->samples = zone == INSIDE ? leave_inside(ray, volume) : leave_zone(ray, volume, zone);
     passage->step = step_of(passage, ray);
     ray->samples -= passage->samples;
 }
@@ -124,7 +123,7 @@ static void march_back(qv_light *light, qv_ray *ray, const qv_context *context)
     arrive(light, &passage);
 }
 
-const qv_sampling qv_preweighted_associated8 = {qv_prepare_steps, march, QV_READ_OUT_ASSOCIATED,
-                                                QV_STORAGE_ASSOCIATED8, 0};
-const qv_sampling qv_preweighted_associated8_back_to_front = {
+QV_DESCRIPTOR qv_sampling qv_preweighted_associated8 = {
+    qv_prepare_steps, march, QV_READ_OUT_ASSOCIATED, QV_STORAGE_ASSOCIATED8, 0};
+QV_DESCRIPTOR qv_sampling qv_preweighted_associated8_back_to_front = {
     qv_prepare_steps, march_back, QV_READ_OUT_ASSOCIATED, QV_STORAGE_ASSOCIATED8, 0};

@@ -71,7 +71,7 @@ static bool is_filled(const golden_scene *golden, const uint16_t at[3])
    are still to be weighted. */
 static uint8_t with_opacity(const golden_scene *golden)
 {
-    uint8_t storage = golden->mode->sampling->storage;
+    uint8_t storage = QV_FIELD(golden->mode->sampling, storage);
     if (storage == QV_STORAGE_ASSOCIATED8)
         return QV_STORAGE_RGBA8;
     return storage < QV_STORAGE_RGBT8 ? storage : (uint8_t)(storage - QV_STORAGE_INDEXED8_16);
@@ -250,7 +250,7 @@ static qv_status weight_colours(golden_memory *memory)
 
 qv_status golden_volume(qv_volume *volume, golden_memory *memory, const golden_scene *golden)
 {
-    *volume = (qv_volume){.storage = golden->mode->sampling->storage,
+    *volume = (qv_volume){.storage = QV_FIELD(golden->mode->sampling, storage),
                           .unit_distance = golden->unit_distance,
                           .extinction = golden->extinction};
     for (unsigned axis = 0; axis < 3; axis++) {

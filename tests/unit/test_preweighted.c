@@ -158,8 +158,8 @@ static gathered gather(const qv_ray *ray, int from, int to, int back)
         int in_box = 1;
         for (unsigned axis = 0; axis < 3; axis++) {
             place[axis] = ray->place[axis] + k * ray->advance[axis];
-            in_box &= place[axis] >= 0 &&
-                      place[axis] < (int64_t)context.scene.volume.size[axis] << 32;
+            in_box &= place[axis] >= 0 && place[axis] < (int64_t)context.scene.volume.size[axis]
+                                                            << 32;
             place[axis] += ((int64_t)1 << 23) - ((int64_t)1 << 31);
         }
         if (!in_box)
