@@ -38,7 +38,7 @@
  * Reconstruction reads the sample's point rounded to 1/256 voxel on each axis,
  *   to nearest, ties upwards; rays advance in steps of 2^-32 voxel.
  * Colour. 255 of 8 bits and 65535 of 16 bits are exactly 1. Stored colours are
- *   not weighted by opacity; the renderer weights them while it interpolates.
+ *   not weighted by opacity, but in one storage; the renderer weights them while it interpolates.
  *   Pixels with an alpha channel hold associated (premultiplied) colours.
  * Unit distance. The length for which a stored opacity holds. It is the step
  *   itself where the volume's unit_distance is 0. Modes that know no lengths
@@ -110,7 +110,7 @@ typedef enum qv_status {
     QV_ERROR_NULL = -1,    /* a required pointer is null */
     QV_ERROR_STORAGE = -2, /* unknown storage, or not the one the sampling mode reads */
     QV_ERROR_SIZE = -3,    /* an axis is 0 or longer than QV_AXIS_MAX */
-    QV_ERROR_STRIDE = -4,  /* strides overlap or leave the memory; 16-bit data odd */
+    QV_ERROR_STRIDE = -4,  /* strides overlap or leave the memory; data not aligned */
     QV_ERROR_PALETTE = -5, /* palette missing, not of 256 entries, or 16-bit at an odd address */
     QV_ERROR_SPACING = -6, /* spacing outside 1/16 .. 256 */
     QV_ERROR_STEP = -7,    /* step out of range */
@@ -161,7 +161,8 @@ typedef enum qv_storage {
     QV_STORAGE_RGBT16 = 6,
     QV_STORAGE_INDEXED8_T8 = 7,
     QV_STORAGE_INDEXED8_T16 = 8,
-    /* 4 bytes R,G,B,A, 4-aligned; colours are associated: weighted by opacity, and none above it */
+    /* 4 bytes R,G,B,A, 4-aligned; colours are associated: weighted by opacity, and none above it.
+       Voxels only, for preweighted */
     QV_STORAGE_ASSOCIATED8 = 9
 } qv_storage;
 
@@ -1044,7 +1045,8 @@ uint64_t qv_pyramid_bytes(const uint16_t size[3], uint8_t storage, uint8_t level
  * its voxels' and so may be longer than the volume's by less than a voxel. Where the
  * spacing passes 256, only qv_downsample takes the level, which reads no spacing; 65536
  * and more become 2^32 - 1. Only levels 1 and up need a pyramid. Returns QV_OK or an
- * error of qv_volume_check, QV_ERROR_LEVEL, _STRIDE (16-bit levels at an odd address),
+ * error of qv_volume_check, QV_ERROR_LEVEL, _STORAGE (associated colours have no levels), _STRIDE
+ * (16-bit levels at an odd address),
  * _BUFFER (pyramid too small, or beyond what offsets reach).
  */
 qv_status qv_pyramid_level(qv_volume *level, const qv_volume *volume, const qv_pyramid *pyramid,
@@ -1086,7 +1088,8 @@ extern const qv_domain qv_domain_stored, qv_domain_extinction;
  * the stack, whatever the size.
  * Returns QV_OK or an error of qv_volume_check (spacing is not read), or QV_ERROR_SIZE
  * (slices), _BUFFER, _LEVEL (finer has one voxel), _MIXTURE (a filter that does not sum
- * to 1), _STORAGE (qv_domain_extinction of stored extinction: take qv_domain_stored).
+ * to 1), _STORAGE (associated colours; qv_domain_extinction of stored extinction: take
+ * qv_domain_stored).
  */
 qv_status qv_downsample(void *voxels, size_t bytes, const qv_volume *finer, const qv_filter *filter,
                         const qv_domain *domain, uint16_t first_z, uint16_t end_z);

@@ -210,10 +210,35 @@ static void rays_are_as_specified(void **state)
     }
 }
 
+/* Words must lie at multiples of 4, and what weights colours itself takes none that are. */
+static void refused(void **state)
+{
+    qv_volume volume = {.voxels = (qv_address)words,
+                        .voxels_bytes = 4 * 2 * 2 * 2,
+                        .stride = {4, 8, 16},
+                        .size = {2, 2, 2},
+                        .storage = QV_STORAGE_ASSOCIATED8};
+    uint32_t coarser;
+    (void)state;
+    assert_int_equal(qv_volume_check(&volume), QV_OK);
+    assert_int_equal(qv_downsample(&coarser, 4, &volume, &qv_filter_box2, &qv_domain_stored, 0, 1),
+                     QV_ERROR_STORAGE);
+    volume.voxels_bytes++;
+    volume.stride[2]++;
+    assert_int_equal(qv_volume_check(&volume), QV_ERROR_STRIDE);
+    volume.stride[2]--;
+    volume.voxels += 2;
+    assert_int_equal(qv_volume_check(&volume), QV_ERROR_STRIDE);
+    volume.voxels -= 2;
+    volume.storage++;
+    assert_int_equal(qv_volume_check(&volume), QV_ERROR_STORAGE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rays_are_as_specified),
+        cmocka_unit_test(refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
