@@ -13,10 +13,12 @@
    need to know none. QV_OK, QV_ERROR_UNIT. */
 qv_status qv_prepare_steps(qv_context *context, const qv_scene *scene);
 
+/* Written out: compilers that leave such a loop a loop keep places in memory. */
 FX_INLINE void qv_advance(qv_ray *ray)
 {
-    for (unsigned axis = 0; axis < 3; axis++)
-        ray->place[axis] += ray->advance[axis];
+    ray->place[0] += ray->advance[0];
+    ray->place[1] += ray->advance[1];
+    ray->place[2] += ray->advance[2];
 }
 
 /* Takes the ray's next sample; returns 0 where there is nothing to see. */
@@ -32,26 +34,43 @@ FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
     return 1;
 }
 
-/* Front to back. ray->samples counts down to those that were not taken. */
+/* Goes on to a ray's next sample; `here` is left where it was. */
+FX_INLINE void qv_step(qv_ray *here, qv_ray *ray)
+{
+    here->place[0] = ray->place[0];
+    here->place[1] = ray->place[1];
+    here->place[2] = ray->place[2];
+    qv_advance(ray);
+    FX_FORGET();
+}
+
+/* Front to back. ray->samples becomes those that were not taken. Light and samples are counted
+   beside the caller's, so that nothing is stored in the loop but the ray's place. */
 FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
                         qv_mode *mode)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
+    qv_light gathered = *light;
+    const qv_volume volume = context->scene.volume;
     qv_ray_clip(ray, context);
-    while (ray->samples != 0) {
+    uint32_t samples = ray->samples;
+    while (samples != 0) {
         uint32_t colour[3], opacity;
-        ray->samples--;
-        if (!qv_take(colour, &opacity, ray, &context->scene.volume, storage, mode)) {
-            light->skipped++;
+        qv_ray here;
+        qv_step(&here, ray);
+        samples--;
+        if (!qv_take(colour, &opacity, &here, &volume, storage, mode)) {
+            gathered.skipped++;
         } else {
-            qv_under(light, colour, opacity);
-            if (light->transmittance <= enough) {
-                light->terminated = ray->samples != 0;
-                return;
+            qv_under(&gathered, colour, opacity);
+            if (gathered.transmittance <= enough) {
+                gathered.terminated = samples != 0;
+                break;
             }
         }
-        qv_advance(ray);
     }
+    ray->samples = samples;
+    *light = gathered;
 }
 
 /* Turns a ray round: it starts at its last sample and runs towards the viewer. Without

@@ -28,12 +28,17 @@ FX_INLINE uint32_t qv_opacity_bits(qv_address entry, unsigned storage)
     return fx_channel_bits(qv_channel(entry, 3, storage));
 }
 
-/* Whether one of a cell's corners has any opacity. Written out, as qv_corners is:
-   most samples come no farther, and compilers keep short loops as loops. */
+/*
+ * Whether one of a cell's corners has any opacity. Where something is to be seen, the first mostly
+ * has; the others are asked together. Written out, as qv_corners is: most samples come no
+ * farther, and compilers keep short loops as loops.
+ */
 FX_INLINE int qv_any_opacity(const qv_address corner[8], unsigned storage)
 {
-    uint32_t low = qv_opacity_bits(corner[0], storage) | qv_opacity_bits(corner[1], storage) |
-                   qv_opacity_bits(corner[2], storage) | qv_opacity_bits(corner[3], storage);
+    if (qv_opacity_bits(corner[0], storage) != 0)
+        return 1;
+    uint32_t low = qv_opacity_bits(corner[1], storage) | qv_opacity_bits(corner[2], storage) |
+                   qv_opacity_bits(corner[3], storage);
     uint32_t high = qv_opacity_bits(corner[4], storage) | qv_opacity_bits(corner[5], storage) |
                     qv_opacity_bits(corner[6], storage) | qv_opacity_bits(corner[7], storage);
     return (low | high) != 0;
@@ -115,7 +120,20 @@ FX_INLINE fx_share qv_share(fx_weight weight, qv_address entry, const fx_density
     return fx_share_mul(weight, qv_channel(entry, 3, storage));
 }
 
-/* Trilinear: 4M 19A for the weights, 8M 7A for the opacity or extinction, 3 * (8M 7A) for
+/* Adds one voxel to the sums. */
+FX_INLINE void qv_add_voxel(qv_sample *sum, fx_weight weight, qv_address entry,
+                            const fx_density *density, unsigned storage, qv_factor factor)
+{
+    fx_sum term[3];
+    fx_share share = qv_share(weight, entry, density, storage, factor);
+    qv_terms(term, weight, share, entry, storage, factor);
+    sum->opacity = fx_share_add(sum->opacity, share);
+    sum->light[0] = fx_sum_add(sum->light[0], term[0]);
+    sum->light[1] = fx_sum_add(sum->light[1], term[1]);
+    sum->light[2] = fx_sum_add(sum->light[2], term[2]);
+}
+
+/* Trilinear: 4M 12A for the weights, 8M 7A for the opacity or extinction, 3 * (8M 7A) for
    the colours, with every factor. */
 FX_INLINE int qv_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                              unsigned storage, qv_factor factor)
@@ -124,28 +142,19 @@ FX_INLINE int qv_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volu
     qv_address corner[8];
     fx_weight weight[8];
     fx_density density[8];
-    fx_sum light[3], term[3];
     qv_cell_locate(&cell, volume, ray);
     qv_corners(corner, &cell, volume, storage);
     if (!qv_any_opacity(corner, storage))
         return 0;
+    FX_FORGET();
     qv_weights(weight, cell.fraction);
     sample->scale = factor == QV_BY_DENSITY ? qv_densities(density, corner, 8, storage) : 0u;
 
-    fx_share opacity = qv_share(weight[0], corner[0], &density[0], storage, factor);
-    qv_terms(light, weight[0], opacity, corner[0], storage, factor);
-    for (unsigned i = 1; i < 8; i++) {
-        fx_share share = qv_share(weight[i], corner[i], &density[i], storage, factor);
-        qv_terms(term, weight[i], share, corner[i], storage, factor);
-        opacity = fx_share_add(opacity, share);
-        light[0] = fx_sum_add(light[0], term[0]);
-        light[1] = fx_sum_add(light[1], term[1]);
-        light[2] = fx_sum_add(light[2], term[2]);
-    }
-    sample->opacity = opacity;
-    sample->light[0] = light[0];
-    sample->light[1] = light[1];
-    sample->light[2] = light[2];
+    sample->opacity = qv_share(weight[0], corner[0], &density[0], storage, factor);
+    qv_terms(sample->light, weight[0], sample->opacity, corner[0], storage, factor);
+    FX_UNROLL
+    for (unsigned i = 1; i < 8; i++)
+        qv_add_voxel(sample, weight[i], corner[i], &density[i], storage, factor);
     return 1;
 }
 

@@ -56,6 +56,17 @@ static inline uint32_t fx_high_product(uint32_t a, uint32_t b)
 #endif
 }
 
+/* sum + round(a * b / 2^32), ties upwards, modulo 2^32: with the sum as the upper half of what
+   is added to, one instruction where machines multiply and accumulate. */
+static inline uint32_t fx_add_high_product(uint32_t sum, uint32_t a, uint32_t b)
+{
+#if FX_NARROW
+    return sum + fx_high_product_narrow(a, b);
+#else
+    return (uint32_t)((((uint64_t)sum << 32 | 0x80000000u) + (uint64_t)a * b) >> 32);
+#endif
+}
+
 /* floor(a * b / 2^16) for a 16-bit b: a 32-bit result, since a * b < 2^48. */
 static inline uint32_t fx_product_shift16(uint32_t a, uint16_t b)
 {
