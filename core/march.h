@@ -13,20 +13,24 @@
    need to know none. QV_OK, QV_ERROR_UNIT. */
 qv_status qv_prepare_steps(qv_context *context, const qv_scene *scene);
 
-/* Written out: compilers that leave such a loop a loop keep places in memory. */
 FX_INLINE void qv_advance(qv_ray *ray)
 {
-    ray->place[0] += ray->advance[0];
-    ray->place[1] += ray->advance[1];
-    ray->place[2] += ray->advance[2];
+    FX_UNROLL
+    for (unsigned axis = 0; axis < 3; axis++)
+        ray->place[axis] += ray->advance[axis];
 }
 
-/* Takes the ray's next sample; returns 0 where there is nothing to see. */
-FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
-                      const qv_volume *volume, unsigned storage, qv_mode *mode)
+/* Takes a ray's next sample and advances the ray, while its place is at hand; returns 0 where
+   there is nothing to see. */
+FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, qv_ray *ray, const qv_volume *volume,
+                      unsigned storage, qv_cell_mode *mode)
 {
+    qv_cell cell;
     qv_sample sample;
-    if (!mode(&sample, ray, volume, storage))
+    qv_cell_locate(&cell, volume, ray);
+    qv_advance(ray);
+    FX_FORGET();
+    if (!mode(&sample, &cell, volume, storage))
         return 0;
     for (unsigned c = 0; c < 3; c++)
         colour[c] = fx_sum_bits(sample.light[c]);
@@ -34,43 +38,27 @@ FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
     return 1;
 }
 
-/* Goes on to a ray's next sample; `here` is left where it was. */
-FX_INLINE void qv_step(qv_ray *here, qv_ray *ray)
-{
-    here->place[0] = ray->place[0];
-    here->place[1] = ray->place[1];
-    here->place[2] = ray->place[2];
-    qv_advance(ray);
-    FX_FORGET();
-}
-
-/* Front to back. ray->samples becomes those that were not taken. Light and samples are counted
-   beside the caller's, so that nothing is stored in the loop but the ray's place. */
+/* Front to back. ray->samples becomes those that were not taken. */
 FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
-                        qv_mode *mode)
+                        qv_cell_mode *mode)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
-    qv_light gathered = *light;
-    const qv_volume volume = context->scene.volume;
     qv_ray_clip(ray, context);
     uint32_t samples = ray->samples;
     while (samples != 0) {
         uint32_t colour[3], opacity;
-        qv_ray here;
-        qv_step(&here, ray);
         samples--;
-        if (!qv_take(colour, &opacity, &here, &volume, storage, mode)) {
-            gathered.skipped++;
+        if (!qv_take(colour, &opacity, ray, &context->scene.volume, storage, mode)) {
+            light->skipped++;
         } else {
-            qv_under(&gathered, colour, opacity);
-            if (gathered.transmittance <= enough) {
-                gathered.terminated = samples != 0;
+            qv_under(light, colour, opacity);
+            if (light->transmittance <= enough) {
+                light->terminated = samples != 0;
                 break;
             }
         }
     }
     ray->samples = samples;
-    *light = gathered;
 }
 
 /* Turns a ray round: it starts at its last sample and runs towards the viewer. Without
@@ -86,7 +74,7 @@ FX_INLINE void qv_reverse(qv_ray *ray)
 
 /* Back to front: every sample is taken. */
 FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *context,
-                             unsigned storage, qv_mode *mode)
+                             unsigned storage, qv_cell_mode *mode)
 {
     qv_ray_clip(ray, context);
     for (qv_reverse(ray); ray->samples != 0; ray->samples--) {
@@ -95,7 +83,6 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
             qv_over(light, colour, opacity);
         else
             light->skipped++;
-        qv_advance(ray);
     }
 }
 
@@ -106,11 +93,11 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
 #define QV_DEFINE_SAMPLING(mode, suffix, storage, read_out)                                        \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
-        qv_march(light, ray, context, storage, qv_sample_##mode);                                  \
+        qv_march(light, ray, context, storage, qv_cell_##mode);                                    \
     }                                                                                              \
     static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
     {                                                                                              \
-        qv_march_back(light, ray, context, storage, qv_sample_##mode);                             \
+        qv_march_back(light, ray, context, storage, qv_cell_##mode);                               \
     }                                                                                              \
     const qv_sampling qv_##mode##_##suffix = {qv_prepare_steps, march_##suffix, read_out, storage, \
                                               0};                                                  \

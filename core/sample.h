@@ -23,6 +23,10 @@ typedef struct qv_sample {
 typedef int qv_mode(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                     unsigned storage);
 
+/* The same of a cell that has been located. */
+typedef int qv_cell_mode(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                         unsigned storage);
+
 FX_INLINE uint32_t qv_opacity_bits(qv_address entry, unsigned storage)
 {
     return fx_channel_bits(qv_channel(entry, 3, storage));
@@ -135,19 +139,17 @@ FX_INLINE void qv_add_voxel(qv_sample *sum, fx_weight weight, qv_address entry,
 
 /* Trilinear: 4M 12A for the weights, 8M 7A for the opacity or extinction, 3 * (8M 7A) for
    the colours, with every factor. */
-FX_INLINE int qv_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+FX_INLINE int qv_interpolate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
                              unsigned storage, qv_factor factor)
 {
-    qv_cell cell;
     qv_address corner[8];
     fx_weight weight[8];
     fx_density density[8];
-    qv_cell_locate(&cell, volume, ray);
-    qv_corners(corner, &cell, volume, storage);
+    qv_corners(corner, cell, volume, storage);
     if (!qv_any_opacity(corner, storage))
         return 0;
     FX_FORGET();
-    qv_weights(weight, cell.fraction);
+    qv_weights(weight, cell->fraction);
     sample->scale = factor == QV_BY_DENSITY ? qv_densities(density, corner, 8, storage) : 0u;
 
     sample->opacity = qv_share(weight[0], corner[0], &density[0], storage, factor);
@@ -159,17 +161,17 @@ FX_INLINE int qv_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volu
 }
 
 /* Opacity-weighted: equations 11 and 12; or extinction-weighted, of stored extinction. */
-FX_INLINE int qv_sample_weighted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                 unsigned storage)
+FX_INLINE int qv_cell_weighted(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                               unsigned storage)
 {
-    return qv_interpolate(sample, ray, volume, storage, QV_BY_SHARE);
+    return qv_interpolate(sample, cell, volume, storage, QV_BY_SHARE);
 }
 
 /* Extinction-weighted, of stored opacity. */
-FX_INLINE int qv_sample_converted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                  unsigned storage)
+FX_INLINE int qv_cell_converted(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                                unsigned storage)
 {
-    return qv_interpolate(sample, ray, volume, storage, QV_BY_DENSITY);
+    return qv_interpolate(sample, cell, volume, storage, QV_BY_DENSITY);
 }
 
 /* colour * opacity of two separate sums: round(c * a / 2^16) for 8 bits (below
@@ -184,10 +186,10 @@ FX_INLINE fx_sum qv_associate(fx_sum colour, fx_share opacity, unsigned storage)
 
 /* Separate: the products with the opacity are those of equation 4 and belong to
    compositing. */
-FX_INLINE int qv_sample_separate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                 unsigned storage)
+FX_INLINE int qv_cell_separate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                               unsigned storage)
 {
-    if (!qv_interpolate(sample, ray, volume, storage, QV_BY_WEIGHT))
+    if (!qv_interpolate(sample, cell, volume, storage, QV_BY_WEIGHT))
         return 0;
     for (unsigned c = 0; c < 3; c++)
         sample->light[c] = qv_associate(sample->light[c], sample->opacity, storage);
@@ -195,10 +197,10 @@ FX_INLINE int qv_sample_separate(qv_sample *sample, const qv_ray *ray, const qv_
 }
 
 /* Nearest: all of it is one voxel's. */
-FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                unsigned storage)
+FX_INLINE int qv_cell_nearest(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                              unsigned storage)
 {
-    qv_address entry = qv_entry(qv_nearest_voxel(ray, volume), volume, storage);
+    qv_address entry = qv_entry(qv_cell_nearest_voxel(cell), volume, storage);
     fx_channel opacity = qv_channel(entry, 3, storage);
     if (fx_channel_bits(opacity) == 0)
         return 0;
@@ -207,6 +209,21 @@ FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_ray *ray, const qv_v
     qv_terms(sample->light, one, sample->opacity, entry, storage, QV_BY_SHARE);
     return 1;
 }
+
+/* The modes from where a ray stands: qv_sample_MODE. */
+#define QV_SAMPLE_CELL(mode)                                                                       \
+    FX_INLINE int qv_sample_##mode(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,  \
+                                   unsigned storage)                                               \
+    {                                                                                              \
+        qv_cell cell;                                                                              \
+        qv_cell_locate(&cell, volume, ray);                                                        \
+        return qv_cell_##mode(sample, &cell, volume, storage);                                     \
+    }
+
+QV_SAMPLE_CELL(nearest)
+QV_SAMPLE_CELL(separate)
+QV_SAMPLE_CELL(weighted)
+QV_SAMPLE_CELL(converted)
 
 /*
  * A sample's opacity as Q0.32 with 2^32 - 1 for exactly 1: opacity * 2^32 / unit,
