@@ -4,20 +4,18 @@
 # "sparse": as many as told. "inside" and "ray" part "full" in what each sample costs inside
 # a ray, and what each ray costs besides: set-up and pixel.
 #
-#     tests/bench/device.sh                 a Markdown table of both devices
-#     tests/bench/device.sh TARGET BOARD    lines "STORAGE MODE SCENE INSTRUCTIONS" of one
+#     tests/bench/device.sh           a Markdown table of both devices
+#     tests/bench/device.sh TARGET    lines "STORAGE MODE SCENE INSTRUCTIONS" of one
 set -eu
 : "${BUILD:=build}" "${OPTIMISE:=-O2}"
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-plugin=$BUILD/emulator/count.so
 
-count() { # count TARGET BOARD
+count() { # count TARGET
     out=$BUILD/bench$OPTIMISE
     make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$out/$1/bench.elf" >&2
-    EMULATOR_OPTIONS="-plugin $plugin,out=$work/regions" \
-        toolchain/emulate "$2" "$out/$1/bench.elf" >"$work/scenes" 2>"$work/messages" ||
+    EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/bench.elf" >"$work/scenes" 2>"$work/messages" ||
         { cat "$work/scenes" "$work/messages" >&2; exit 1; }
     paste -d ' ' "$work/scenes" "$work/regions" |
         awk '{ rays = $4; samples = $5; executed = $10; mode = $1 " " $2 }
@@ -51,13 +49,12 @@ rows() {
         }'
 }
 
-make -s TARGET=cortex-m3 BUILD="$BUILD" "$plugin" >&2
-if [ $# -eq 2 ]; then
-    count "$1" "$2"
+if [ $# -eq 1 ]; then
+    count "$1"
     exit
 fi
-count cortex-m3 lm3s6965evb >"$work/cortex-m3"
-count cortex-m0 microbit >"$work/cortex-m0"
+count cortex-m3 >"$work/cortex-m3"
+count cortex-m0 >"$work/cortex-m0"
 
 skipped=$(awk '$3 == "sparse" { all += $5; clear += $6 } END { printf "%.0f", 100 * clear / all }' \
     "$work/scenes")

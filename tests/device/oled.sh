@@ -44,11 +44,11 @@ reports_figures() {
 }
 
 check "firmware builds" make -s TARGET=cortex-m3 BUILD="$build" "$out/head.elf"
-check "screenshot" sh -c "toolchain/screenshot lm3s6965evb '$out/head.elf' '$work/oled.png' \
+check "screenshot" sh -c "toolchain/screenshot cortex-m3 '$out/head.elf' '$work/oled.png' \
     >'$work/console'"
 check "checksum of the device and of the host" same_checksum
 check "pixels of the panel and bytes of the host" same_pixels
 check "instructions and stack are reported" reports_figures
-check "firmware ends when it is told to" toolchain/emulate lm3s6965evb "$out/head.elf" exit
+check "firmware ends when it is told to" toolchain/emulate cortex-m3 "$out/head.elf" exit
 sed -n 's/^\(instructions\|stack\)/# head on the OLED: \1/p' "$work/console"
 finish

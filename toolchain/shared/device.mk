@@ -12,6 +12,7 @@
 #     firmware            every firmware of the target: TARGET_FIRMWARE
 #     $(OUT)/NAME.elf     one of them, with its link map beside it
 #     $(OUT)/oled.json    what the host rendered for the OLED, with its checksum
+#     emulator            prints what runs a firmware, for toolchain/emulate
 #     $(COUNT_PLUGIN)     the emulator's counting plugin
 #     $(AVR_SIMULATOR)    the emulator of AVR
 # Variables for the head on the OLED:
@@ -40,7 +41,8 @@ FIRMWARE_golden_splats := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_s
 FIRMWARE_bench := tests/bench/bench_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_blends := tests/bench/blends_device.c
-BALL_IN_FLASH := $(TARGET_PORT_FOLDER)/ball_flash.c port/ball.c
+TARGET_BALL ?= port/ball_flash.c
+BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
 FIRMWARE_ball := port/firmware_ball.c $(BALL_IN_FLASH)
 FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
 FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
@@ -98,7 +100,7 @@ $(OUT)/ball.volume: $(BALL_WRITE)
 	@echo "  GEN $@"
 	@$< $@
 
-$(OUT)/$(TARGET_PORT_FOLDER)/ball_flash.o: $(OUT)/ball.volume
+$(TARGET_BALL:%.c=$(OUT)/%.o): $(OUT)/ball.volume
 
 # ---- The head in flash ----------------------------------------------------------
 
@@ -140,12 +142,18 @@ $(OUT)/port/cortex-m/firmware_head.o: $(OUT)/head_view.h
 
 # ---- The emulators ----------------------------------------------------------------
 
+# What toolchain/emulate runs; with REPORT=FILE it counts what is measured (port/measure.h).
+# Their building is told on stderr, since scripts read what this prints.
+.PHONY: emulator
+emulator: $(TARGET_EMULATOR_NEEDS)
+	@echo "$(TARGET_EMULATOR) $(if $(REPORT),$(or $(TARGET_COUNT),$(error nothing counts on $(TARGET)))$(REPORT))"
+
 $(COUNT_PLUGIN): tests/emulator/count.c
 	@mkdir -p $(@D)
-	@echo "  CC  $<"
+	@echo "  CC  $<" >&2
 	@$(HOST_CC) -std=c99 $(WARNINGS) -O2 -fPIC -shared $< -o $@
 
 $(AVR_SIMULATOR): tests/emulator/avr.c
 	@mkdir -p $(@D)
-	@echo "  CC  $<"
+	@echo "  CC  $<" >&2
 	@$(HOST_CC) -std=c99 $(WARNINGS) -O2 $< -lsimavr -lelf -o $@
