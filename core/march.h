@@ -38,27 +38,25 @@ FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, qv_ray *ray, const 
     return 1;
 }
 
-/* Front to back. ray->samples becomes those that were not taken. */
+/* Front to back. ray->samples counts down to those that were not taken. */
 FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
                         qv_cell_mode *mode)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_ray_clip(ray, context);
-    uint32_t samples = ray->samples;
-    while (samples != 0) {
+    while (ray->samples != 0) {
         uint32_t colour[3], opacity;
-        samples--;
+        ray->samples--;
         if (!qv_take(colour, &opacity, ray, &context->scene.volume, storage, mode)) {
             light->skipped++;
         } else {
             qv_under(light, colour, opacity);
             if (light->transmittance <= enough) {
-                light->terminated = samples != 0;
-                break;
+                light->terminated = ray->samples != 0;
+                return;
             }
         }
     }
-    ray->samples = samples;
 }
 
 /* Turns a ray round: it starts at its last sample and runs towards the viewer. Without

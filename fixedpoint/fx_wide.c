@@ -1,8 +1,8 @@
 #include "fx_wide.h"
 
 /*
- * Takes a and b apart into 16-bit digits: each partial product is at most 65535^2
- * < 2^32. `middle` is what lands on bits 16 to 31, with the
+ * Both products take a and b apart into 16-bit digits: each partial product is
+ * at most 65535^2 < 2^32. `middle` is what lands on bits 16 to 31, with the
  * carry out of the lowest product; it stays below 3 * 2^16.
  */
 uint64_t fx_wide_product_narrow(uint32_t a, uint32_t b)
@@ -18,7 +18,8 @@ uint64_t fx_wide_product_narrow(uint32_t a, uint32_t b)
 
 uint32_t fx_high_product_narrow(uint32_t a, uint32_t b)
 {
-    return fx_high_product_digits(a, b);
+    uint64_t product = fx_wide_product_narrow(a, b); /* rounding cannot carry past 2^32 - 2 */
+    return (uint32_t)(product >> 32) + ((uint32_t)product >> 31);
 }
 
 int64_t fx_multiply(int64_t v, int32_t n)

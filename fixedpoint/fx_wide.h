@@ -33,10 +33,11 @@ static inline uint32_t fx_product16(uint16_t a, uint16_t b)
 /* a * b, exact: the form for machines without a wide multiplication. */
 uint64_t fx_wide_product_narrow(uint32_t a, uint32_t b);
 
-/*
- * round(a * b / 2^32), ties upwards, from digits of 16 bits: what lands on bits 16 to 31 is summed
- * up in two steps, of which neither passes 65535^2 + 65535 + 32768 < 2^32.
- */
+/* round(a * b / 2^32), ties upwards: the same form's upper half. */
+uint32_t fx_high_product_narrow(uint32_t a, uint32_t b);
+
+/* The same where speed counts: what lands on bits 16 to 31 is summed up in two steps, of which
+   neither passes 65535^2 + 65535 + 32768 < 2^32. */
 static inline uint32_t fx_high_product_digits(uint32_t a, uint32_t b)
 {
     uint16_t al = (uint16_t)a, ah = (uint16_t)(a >> 16);
@@ -45,9 +46,6 @@ static inline uint32_t fx_high_product_digits(uint32_t a, uint32_t b)
     uint32_t rest = fx_product16(al, bh) + (middle & 0xFFFFu) + 0x8000u;
     return fx_product16(ah, bh) + (middle >> 16) + (rest >> 16);
 }
-
-/* The same as a call. */
-uint32_t fx_high_product_narrow(uint32_t a, uint32_t b);
 
 /* a * b, exact. */
 static inline uint64_t fx_wide_product(uint32_t a, uint32_t b)
