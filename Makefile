@@ -98,14 +98,15 @@ SIZE_TARGETS := $(filter-out cortex-m3-mps2 host-clang host-32,$(DEVICES))
 
 .PHONY: size-lines size-update size-diff
 size: ## bytes of code, tables, contexts and stack on each target, by what a program uses
-	@tests/size/sizes.sh lines $(SIZE_TARGETS) | tests/size/sizes.sh table
+	@tests/size/sizes.sh lines $(SIZE_TARGETS) >$(BUILD)/sizes
+	@tests/size/sizes.sh table <$(BUILD)/sizes
 
 size-lines:
 	@tests/size/sizes.sh lines $(SIZE_TARGETS)
 
 size-update: ## write tests/size/SIZES.md anew
-	@tests/size/sizes.sh lines $(SIZE_TARGETS) | tests/size/sizes.sh document >$(BUILD)/SIZES.md
-	cp $(BUILD)/SIZES.md tests/size/SIZES.md
+	@tests/size/sizes.sh lines $(SIZE_TARGETS) >$(BUILD)/sizes
+	tests/size/sizes.sh document <$(BUILD)/sizes >tests/size/SIZES.md
 
 size-diff: ## sizes beside those of another revision: make size-diff REV=v0.1
 	@tests/size/diff.sh "$(REV)" $(SIZE_TARGETS)

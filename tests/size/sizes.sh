@@ -73,6 +73,11 @@ END
 # The minimal program on every target, and every program on the smallest Cortex-M.
 readme() {
     cat <<'END'
+Bytes at `-Os` (indexed8 into RGB565; compiler's helpers included) of the smallest program on every
+target, and of what a device may want besides on a Cortex-M0; `make size` prints them all, and
+[tests/size/SIZES.md](tests/size/SIZES.md) says what each program uses. Stack is that below the
+deepest call, by the graph of calls:
+
 | target | program | code and tables | .data, .bss | context | stack |
 |---|---|---|---|---|---|
 END
