@@ -58,6 +58,9 @@ typedef struct {
 #define HELIUM_OFFSET(member)                                                                      \
     ((int)offsetof(helium_state, member) - (int)offsetof(helium_state, record_at))
 
+/* An instruction to a line: */
+/* clang-format off */
+
 /*
  * One axis of four samples: where between two voxels they lie, 0 .. 256, in `q`; adds where
  * their cells begin to q6 (`add` is vmul.i32 on the first axis), and goes on to the next four.
@@ -65,94 +68,96 @@ typedef struct {
  * last but one: the weights are those of qv_cell_locate, which reads the one voxel twice.
  * vqdmlah adds rest / 2^16: the upper half of 2 * rest * 2^15. The axis lies at p.
  */
-#define HELIUM_LOCATE(q, add)                                                                      \
-    "ldmia %[p]!, {r0-r3}\n\t" /* place_step, rest_step, stride, last_cell */                      \
-    "vldrw.u32 " q ", [%[p]]\n\t"                                                                  \
-    "vldrw.u32 q4, [%[p], #16]\n\t"                                                                \
-    "vadd.i32 q5, " q ", r0\n\t"                                                                   \
-    "vqdmlah.s32 " q ", q4, r4\n\t" /* 2^15 */                                                     \
-    "vadd.i32 q4, q4, r1\n\t"                                                                      \
-    "vstrw.32 q5, [%[p]], #32\n\t"                                                                 \
-    "vstrw.32 q4, [%[p], #-16]\n\t"                                                                \
-    "vqsub.u32 " q ", " q ", r12\n\t" /* less 1 voxel, not below 0 */                              \
-    "vdup.32 q4, r3\n\t"                                                                           \
-    "vshr.u32 q5, " q ", #16\n\t"                                                                  \
-    "vmin.u32 q4, q5, q4\n\t" add " q6, q4, r2\n\t"                                                \
-    "vmla.u32 " q ", q4, lr\n\t"    /* less the cell: below 3/2 */                                 \
-    "vmin.u32 " q ", " q ", q7\n\t" /* 1 */                                                        \
-    "vshr.u32 " q ", " q ", #8\n\t"
+#define HELIUM_LOCATE(q, add)                                              \
+    "ldmia %[p]!, {r0-r3}\n" /* place_step, rest_step, stride, last_cell */ \
+    "vldrw.u32 " q ", [%[p]]\n"                                            \
+    "vldrw.u32 q4, [%[p], #16]\n"                                          \
+    "vadd.i32 q5, " q ", r0\n"                                             \
+    "vqdmlah.s32 " q ", q4, r4\n" /* 2^15 */                               \
+    "vadd.i32 q4, q4, r1\n"                                                \
+    "vstrw.32 q5, [%[p]], #32\n"                                           \
+    "vstrw.32 q4, [%[p], #-16]\n"                                          \
+    "vqsub.u32 " q ", " q ", r12\n" /* less 1 voxel, not below 0 */        \
+    "vdup.32 q4, r3\n"                                                     \
+    "vshr.u32 q5, " q ", #16\n"                                            \
+    "vmin.u32 q4, q5, q4\n"                                                \
+    add " q6, q4, r2\n"                                                    \
+    "vmla.u32 " q ", q4, lr\n" /* less the cell: below 3/2 */              \
+    "vmin.u32 " q ", " q ", q7\n" /* 1 */                                  \
+    "vshr.u32 " q ", " q ", #8\n"
 
 /* The weight of the edge `both`, Q1.16, of which its right voxel has `right`: for the records
    at q7. */
-#define HELIUM_SHARE(both, right, offset)                                                          \
-    "vsub.i32 " both ", " both ", " right "\n\t"                                                   \
-    "vsli.32 " both ", " right ", #16\n\t"                                                         \
-    "vstrw.32 " both ", [q7, #" offset "]\n\t"
+#define HELIUM_SHARE(both, right, offset)                                  \
+    "vsub.i32 " both ", " both ", " right "\n"                             \
+    "vsli.32 " both ", " right ", #16\n"                                   \
+    "vstrw.32 " both ", [q7, #" offset "]\n"
 
 /*
  * Locates and weighs four samples. Weights are those of qv_weights, modulo 2^16. An edge along x
  * has y * z, y * (1 - z) and so on, Q0.8 times Q0.8, exact. Of it, the right voxel has xyz,
  * xy - xyz, xz - xyz, and x * (1 - y) - (xz - xyz).
  */
-#define HELIUM_PREPARE                                                                             \
-    "add %[p], %[axis]\n\t"                                                                        \
-    "mov r4, #0x8000\n\t"                                                                          \
-    "mov r12, #0x10000\n\t"                                                                        \
-    "rsb lr, r12, #0\n\t"                                                                          \
-    "vmov.i32 q7, #0x10000\n\t" HELIUM_LOCATE("q0", "vmul.i32") /* x */                            \
-        HELIUM_LOCATE("q1", "vmla.u32")                         /* y */                            \
-        HELIUM_LOCATE("q2", "vmla.u32")                         /* z */                            \
-        "vldrw.u32 q7, [%[p]]\n\t"                                                                 \
-        "vstrw.32 q6, [q7, #16]\n\t"                                                               \
-        "vmul.i32 q3, q0, q1\n\t" /* xy */                                                         \
-        "vmul.i32 q4, q0, q2\n\t" /* xz */                                                         \
-        "vmul.i32 q5, q3, q2\n\t"                                                                  \
-        "vrshr.u32 q5, q5, #8\n\t" /* xyz, to nearest, ties upwards */                             \
-        "vsub.i32 q3, q3, q5\n\t"                                                                  \
-        "vsub.i32 q4, q4, q5\n\t"                                                                  \
-        "vmul.i32 q6, q1, q2\n\t" HELIUM_SHARE(                                                    \
-            "q6", "q5",                                                                            \
-            "12") "vmov.i32 q5, #256\n\t"                                                          \
-                  "vsub.i32 q6, q5, q1\n\t" /* 1 - y */                                            \
-                  "vsub.i32 q5, q5, q2\n\t" /* 1 - z */                                            \
-                  "vmul.i32 q1, q1, q5\n\t" HELIUM_SHARE(                                          \
-                      "q1", "q3",                                                                  \
-                      "4") "vmul.i32 q2, q2, q6\n\t" HELIUM_SHARE("q2", "q4",                      \
-                                                                  "8") "vmul.i32 q0, q0, q6\n\t"   \
-                                                                       "vsub.i32 q0, q0, q4\n\t"   \
-                                                                       "vmul.i32 q6, q6, "         \
-                                                                       "q5\n\t" HELIUM_SHARE(      \
-                                                                           "q6", "q0", "0")
+#define HELIUM_PREPARE                                                     \
+    "add %[p], %[axis]\n"                                                  \
+    "mov r4, #0x8000\n"                                                    \
+    "mov r12, #0x10000\n"                                                  \
+    "rsb lr, r12, #0\n"                                                    \
+    "vmov.i32 q7, #0x10000\n"                                              \
+    HELIUM_LOCATE("q0", "vmul.i32") /* x */                                \
+    HELIUM_LOCATE("q1", "vmla.u32") /* y */                                \
+    HELIUM_LOCATE("q2", "vmla.u32") /* z */                                \
+    "vldrw.u32 q7, [%[p]]\n"                                               \
+    "vstrw.32 q6, [q7, #16]\n"                                             \
+    "vmul.i32 q3, q0, q1\n" /* xy */                                       \
+    "vmul.i32 q4, q0, q2\n" /* xz */                                       \
+    "vmul.i32 q5, q3, q2\n"                                                \
+    "vrshr.u32 q5, q5, #8\n" /* xyz, to nearest, ties upwards */           \
+    "vsub.i32 q3, q3, q5\n"                                                \
+    "vsub.i32 q4, q4, q5\n"                                                \
+    "vmul.i32 q6, q1, q2\n"                                                \
+    HELIUM_SHARE("q6", "q5", "12")                                         \
+    "vmov.i32 q5, #256\n"                                                  \
+    "vsub.i32 q6, q5, q1\n" /* 1 - y */                                    \
+    "vsub.i32 q5, q5, q2\n" /* 1 - z */                                    \
+    "vmul.i32 q1, q1, q5\n"                                                \
+    HELIUM_SHARE("q1", "q3", "4")                                          \
+    "vmul.i32 q2, q2, q6\n"                                                \
+    HELIUM_SHARE("q2", "q4", "8")                                          \
+    "vmul.i32 q0, q0, q6\n"                                                \
+    "vsub.i32 q0, q0, q4\n"                                                \
+    "vmul.i32 q6, q6, q5\n"                                                \
+    HELIUM_SHARE("q6", "q0", "0")
 
 /* Entries of the cell at r0: of voxels 2i in q2, of voxels 2i + 1 in q3. */
-#define HELIUM_DIRECT                                                                              \
-    "vldrw.u32 q2, [r0, q0]\n\t"                                                                   \
-    "vldrw.u32 q3, [r0, q1]\n\t"
-#define HELIUM_INDEXED                                                                             \
-    "vldrb.u32 q4, [r0, q0]\n\t"                                                                   \
-    "vldrb.u32 q5, [r0, q1]\n\t"                                                                   \
-    "ldr r12, [%[p], %[palette]]\n\t"                                                              \
-    "vldrw.u32 q2, [r12, q4, uxtw #2]\n\t"                                                         \
-    "vldrw.u32 q3, [r12, q5, uxtw #2]\n\t"
+#define HELIUM_DIRECT                                                      \
+    "vldrw.u32 q2, [r0, q0]\n"                                             \
+    "vldrw.u32 q3, [r0, q1]\n"
+#define HELIUM_INDEXED                                                     \
+    "vldrb.u32 q4, [r0, q0]\n"                                             \
+    "vldrb.u32 q5, [r0, q1]\n"                                             \
+    "ldr r12, [%[p], %[palette]]\n"                                        \
+    "vldrw.u32 q2, [r12, q4, uxtw #2]\n"                                   \
+    "vldrw.u32 q3, [r12, q5, uxtw #2]\n"
 
 /* qv_under and qv_over. q3: colour and opacity, Q0.32, of the sample, its opacity in r0 too; q7:
    light. The first keeps the transmittance in r5, and branches to 6 where r6 is enough. */
-#define HELIUM_UNDER                                                                               \
-    "vdup.32 q2, r5\n\t"                                                                           \
-    "vrmulh.u32 q3, q3, q2\n\t"                                                                    \
-    "vadd.i32 q7, q7, q3\n\t"                                                                      \
-    "vmov.32 r0, q7[3]\n\t"                                                                        \
-    "rsb r5, r0, #0\n\t"                                                                           \
-    "cmp r5, r6\n\t"                                                                               \
-    "bls 6f\n\t"
-#define HELIUM_OVER                                                                                \
-    "vdup.32 q2, r0\n\t"                                                                           \
-    "vrmulh.u32 q2, q7, q2\n\t"                                                                    \
-    "vsub.i32 q7, q7, q2\n\t"                                                                      \
-    "movs r0, #0\n\t"                                                                              \
-    "vmov.32 q3[3], r0\n\t"                                                                        \
-    "vrshr.u32 q3, q3, #1\n\t"                                                                     \
-    "vadd.i32 q7, q7, q3\n\t"
+#define HELIUM_UNDER                                                       \
+    "vdup.32 q2, r5\n"                                                     \
+    "vrmulh.u32 q3, q3, q2\n"                                              \
+    "vadd.i32 q7, q7, q3\n"                                                \
+    "vmov.32 r0, q7[3]\n"                                                  \
+    "rsb r5, r0, #0\n"                                                     \
+    "cmp r5, r6\n"                                                         \
+    "bls 6f\n"
+#define HELIUM_OVER                                                        \
+    "vdup.32 q2, r0\n"                                                     \
+    "vrmulh.u32 q2, q7, q2\n"                                              \
+    "vsub.i32 q7, q7, q2\n"                                                \
+    "movs r0, #0\n"                                                        \
+    "vmov.32 q3[3], r0\n"                                                  \
+    "vrshr.u32 q3, q3, #1\n"                                               \
+    "vadd.i32 q7, q7, q3\n"
 
 /*
  * Takes samples as qv_take does, until none is left, light is enough, or one needs the C form.
@@ -165,78 +170,89 @@ typedef struct {
  * most 65536 * 255^2. q0, q1: addresses; q6: weights; q4: B and A of all voxels; q5: A; q2: R
  * and G; r4: next; lr: prepared.
  */
-#define HELIUM_MARCH(entries, composite)                                                           \
-    "vldrw.u32 q7, [%[p], %[light]]\n\t"                                                           \
-    "vmov.32 r5, q7[3]\n\t"                                                                        \
-    "rsb r5, r5, #0\n\t"                                                                           \
-    "ldr r6, [%[p], %[enough]]\n\t"                                                                \
-    "ldr r4, [%[p], %[next]]\n\t"                                                                  \
-    "ldr lr, [%[p], %[prepared]]\n\t"                                                              \
-    "cmp lr, #0\n\t"                                                                               \
-    "bne 2f\n\t"                                                                                   \
-    "1:\n" HELIUM_PREPARE "ldr r1, [%[p], %[unprepared]]\n\t"                                      \
-    "mov lr, #4\n\t"                                                                               \
-    "cmp r1, #4\n\t"                                                                               \
-    "csel lr, r1, lr, lo\n\t"                                                                      \
-    "sub r1, lr\n\t"                                                                               \
-    "str r1, [%[p], %[unprepared]]\n\t"                                                            \
-    "add r4, %[p], %[record]\n\t"                                                                  \
-    "vldrw.u32 q7, [%[p], %[light]]\n\t"                                                           \
-    "2:\n"                                                                                         \
-    "dls lr, lr\n\t"                                                                               \
-    "vldrw.u32 q0, [%[p], %[left]]\n\t"                                                            \
-    "vldrw.u32 q1, [%[p], %[right]]\n\t"                                                           \
-    "3:\n"                                                                                         \
-    "vldrw.u32 q6, [r4], #20\n\t"                                                                  \
-    "ldr r0, [r4, #-4]\n\t" entries "vmov q4, q3\n\t"                                              \
-    "vsri.32 q4, q2, #16\n\t"                                                                      \
-    "vshr.u16 q5, q4, #8\n\t"                                                                      \
-    "vmlav.u16 r0, q5, q6\n\t"                                                                     \
-    "cbz r0, 5f\n\t"                                                                               \
-    "vsli.32 q2, q3, #16\n\t"                                                                      \
-    "vmullb.u8 q3, q5, q2\n\t"                                                                     \
-    "vmullt.u8 q2, q4, q2\n\t"                                                                     \
-    "vmullb.u8 q4, q5, q4\n\t"                                                                     \
-    "add r1, r0, r0, lsl #8\n\t" /* qv_opacity_q32 */                                              \
-    "add r1, r1, r0, lsr #8\n\t"                                                                   \
-    "add r0, r1, r0, lsr #16\n\t"                                                                  \
-    "vmlav.u16 r2, q3, q6\n\t"                                                                     \
-    "vmlav.u16 r12, q4, q6\n\t"                                                                    \
-    "vmov q3[2], q3[0], r2, r12\n\t"                                                               \
-    "vmlav.u16 r2, q2, q6\n\t"                                                                     \
-    "vmov q3[3], q3[1], r2, r0\n\t" composite "4:\n"                                               \
-    "le lr, 3b\n\t"                                                                                \
-    "vstrw.32 q7, [%[p], %[light]]\n\t"                                                            \
-    "ldr r1, [%[p], %[unprepared]]\n\t"                                                            \
-    "cmp r1, #0\n\t"                                                                               \
-    "bne 1b\n\t"                                                                                   \
-    "mov lr, #0\n\t"                                                                               \
-    "b 7f\n\t"                                                                                     \
-    "5:\n"                                                                                         \
-    "vaddv.u16 r0, q5\n\t"                                                                         \
-    "cbnz r0, 6f\n\t"                                                                              \
-    "ldr r0, [%[p], %[skipped]]\n\t"                                                               \
-    "add r0, #1\n\t"                                                                               \
-    "str r0, [%[p], %[skipped]]\n\t"                                                               \
-    "b 4b\n\t"                                                                                     \
-    "6:\n"                                                                                         \
-    "vstrw.32 q7, [%[p], %[light]]\n\t"                                                            \
-    "7:\n"                                                                                         \
-    "str r4, [%[p], %[next]]\n\t"                                                                  \
-    "str lr, [%[p], %[prepared]]\n\t"
+#define HELIUM_MARCH(entries, composite)                                   \
+    "vldrw.u32 q7, [%[p], %[light]]\n"                                     \
+    "vmov.32 r5, q7[3]\n"                                                  \
+    "rsb r5, r5, #0\n"                                                     \
+    "ldr r6, [%[p], %[enough]]\n"                                          \
+    "ldr r4, [%[p], %[next]]\n"                                            \
+    "ldr lr, [%[p], %[prepared]]\n"                                        \
+    "cmp lr, #0\n"                                                         \
+    "bne 2f\n"                                                             \
+    "1:\n"                                                                 \
+    HELIUM_PREPARE                                                         \
+    "ldr r1, [%[p], %[unprepared]]\n"                                      \
+    "mov lr, #4\n"                                                         \
+    "cmp r1, #4\n"                                                         \
+    "csel lr, r1, lr, lo\n"                                                \
+    "sub r1, lr\n"                                                         \
+    "str r1, [%[p], %[unprepared]]\n"                                      \
+    "add r4, %[p], %[record]\n"                                            \
+    "vldrw.u32 q7, [%[p], %[light]]\n"                                     \
+    "2:\n"                                                                 \
+    "dls lr, lr\n"                                                         \
+    "vldrw.u32 q0, [%[p], %[left]]\n"                                      \
+    "vldrw.u32 q1, [%[p], %[right]]\n"                                     \
+    "3:\n"                                                                 \
+    "vldrw.u32 q6, [r4], #20\n"                                            \
+    "ldr r0, [r4, #-4]\n"                                                  \
+    entries                                                                \
+    "vmov q4, q3\n"                                                        \
+    "vsri.32 q4, q2, #16\n"                                                \
+    "vshr.u16 q5, q4, #8\n"                                                \
+    "vmlav.u16 r0, q5, q6\n"                                               \
+    "cbz r0, 5f\n"                                                         \
+    "vsli.32 q2, q3, #16\n"                                                \
+    "vmullb.u8 q3, q5, q2\n"                                               \
+    "vmullt.u8 q2, q4, q2\n"                                               \
+    "vmullb.u8 q4, q5, q4\n"                                               \
+    "add r1, r0, r0, lsl #8\n" /* qv_opacity_q32 */                        \
+    "add r1, r1, r0, lsr #8\n"                                             \
+    "add r0, r1, r0, lsr #16\n"                                            \
+    "vmlav.u16 r2, q3, q6\n"                                               \
+    "vmlav.u16 r12, q4, q6\n"                                              \
+    "vmov q3[2], q3[0], r2, r12\n"                                         \
+    "vmlav.u16 r2, q2, q6\n"                                               \
+    "vmov q3[3], q3[1], r2, r0\n"                                          \
+    composite                                                              \
+    "4:\n"                                                                 \
+    "le lr, 3b\n"                                                          \
+    "vstrw.32 q7, [%[p], %[light]]\n"                                      \
+    "ldr r1, [%[p], %[unprepared]]\n"                                      \
+    "cmp r1, #0\n"                                                         \
+    "bne 1b\n"                                                             \
+    "mov lr, #0\n"                                                         \
+    "b 7f\n"                                                               \
+    "5:\n"                                                                 \
+    "vaddv.u16 r0, q5\n"                                                   \
+    "cbnz r0, 6f\n"                                                        \
+    "ldr r0, [%[p], %[skipped]]\n"                                         \
+    "add r0, #1\n"                                                         \
+    "str r0, [%[p], %[skipped]]\n"                                         \
+    "b 4b\n"                                                               \
+    "6:\n"                                                                 \
+    "vstrw.32 q7, [%[p], %[light]]\n"                                      \
+    "7:\n"                                                                 \
+    "str r4, [%[p], %[next]]\n"                                            \
+    "str lr, [%[p], %[prepared]]\n"
 
-#define HELIUM_RUN(entries, composite)                                                             \
-    __asm__ volatile(                                                                              \
-        HELIUM_MARCH(entries, composite)                                                           \
-        : [p] "+&r"(p)                                                                             \
-        : [axis] "i"(HELIUM_OFFSET(axis)), [left] "i"(HELIUM_OFFSET(left)),                        \
-          [right] "i"(HELIUM_OFFSET(right)), [light] "i"(HELIUM_OFFSET(light)),                    \
-          [palette] "i"(HELIUM_OFFSET(palette)), [enough] "i"(HELIUM_OFFSET(enough)),              \
-          [skipped] "i"(HELIUM_OFFSET(skipped)), [next] "i"(HELIUM_OFFSET(next)),                  \
-          [prepared] "i"(HELIUM_OFFSET(prepared)), [unprepared] "i"(HELIUM_OFFSET(unprepared)),    \
-          [record] "i"(HELIUM_OFFSET(record))                                                      \
-        : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r12", "lr", "q0", "q1", "q2", "q3", "q4",     \
-          "q5", "q6", "q7", "cc", "memory")
+#define HELIUM_RUN(entries, composite)                                     \
+    __asm__ volatile(HELIUM_MARCH(entries, composite)                      \
+                     : [p] "+&r"(p)                                        \
+                     : [axis] "i"(HELIUM_OFFSET(axis)), [left] "i"(HELIUM_OFFSET(left)), \
+                       [right] "i"(HELIUM_OFFSET(right)),                  \
+                       [light] "i"(HELIUM_OFFSET(light)),                  \
+                       [palette] "i"(HELIUM_OFFSET(palette)),              \
+                       [enough] "i"(HELIUM_OFFSET(enough)),                \
+                       [skipped] "i"(HELIUM_OFFSET(skipped)),              \
+                       [next] "i"(HELIUM_OFFSET(next)),                    \
+                       [prepared] "i"(HELIUM_OFFSET(prepared)),            \
+                       [unprepared] "i"(HELIUM_OFFSET(unprepared)),        \
+                       [record] "i"(HELIUM_OFFSET(record))                 \
+                     : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r12", "lr", "q0", \
+                       "q1", "q2", "q3", "q4", "q5", "q6", "q7", "cc", "memory")
+
+/* clang-format on */
 
 /* Takes samples until none is left, or light is enough, or the next one but `next` needs the C form. */
 FX_INLINE void helium_run(helium_state *h, unsigned storage, int back)
@@ -319,13 +335,13 @@ FX_INLINE void helium_take_alone(qv_light *light, qv_ray *ray, int32_t number,
 {
     uint32_t colour[3], opacity;
     qv_ray_count_from(ray, number);
-    if (!qv_take(colour, &opacity, ray, volume, storage, qv_sample_weighted))
+    if (!qv_take(colour, &opacity, ray, volume, storage, qv_cell_weighted))
         light->skipped++;
     else if (back)
         qv_over(light, colour, opacity);
     else
         qv_under(light, colour, opacity);
-    qv_ray_count_from(ray, -number);
+    qv_ray_count_from(ray, -1 - number); /* it has gone on */
 }
 
 /* Takes the next of a ray's samples, until light is enough. */
@@ -354,9 +370,9 @@ FX_INLINE void helium_march(qv_light *light, qv_ray *ray, const qv_context *cont
 }
 
 FX_INLINE int qv_march_vectors(qv_light *light, qv_ray *ray, const qv_context *context,
-                               unsigned storage, qv_mode *mode, int back)
+                               unsigned storage, qv_cell_mode *mode, int back)
 {
-    if (mode != qv_sample_weighted || qv_channel_bytes(storage) != 1 ||
+    if (mode != qv_cell_weighted || qv_channel_bytes(storage) != 1 ||
         !helium_reads(&context->scene.volume, storage))
         return 0;
     qv_ray_clip(ray, context);
