@@ -29,10 +29,10 @@ typedef struct qv_light {
 FX_INLINE void qv_under(qv_light *light, const uint32_t sample[3], uint32_t opacity)
 {
     uint32_t transmittance = light->transmittance;
-    light->colour[0] += fx_high_product(sample[0], transmittance);
-    light->colour[1] += fx_high_product(sample[1], transmittance);
-    light->colour[2] += fx_high_product(sample[2], transmittance);
-    light->transmittance = transmittance - fx_high_product(transmittance, opacity);
+    light->colour[0] = fx_add_high_product(light->colour[0], sample[0], transmittance);
+    light->colour[1] = fx_add_high_product(light->colour[1], sample[1], transmittance);
+    light->colour[2] = fx_add_high_product(light->colour[2], sample[2], transmittance);
+    light->transmittance = transmittance - fx_add_high_product(0, opacity, transmittance);
 }
 
 /* Places a sample in front of what has been gathered. */
@@ -55,6 +55,8 @@ FX_INLINE void qv_over(qv_light *light, const uint32_t sample[3], uint32_t opaci
 #define QV_READ_OUT_16 33424380u
 /* The same for 2^31 * 65535 / 65536: colours weighted by the extinction of opacities. */
 #define QV_READ_OUT_CONVERTED 66847740u
+/* The same, exactly, for 255 * 2^24: associated colours. */
+#define QV_READ_OUT_ASSOCIATED 33554432u
 
 /* A level with 16 fraction bits, at most QV_LEVEL_ONE, as part of 1, Q0.32: 65536 / 255 = 257 +
    1/2^8 + 1/2^16 + ... */

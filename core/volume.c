@@ -9,7 +9,7 @@ FX_INLINE qv_status check_voxels(const qv_volume *volume)
     if (!volume || !volume->voxels)
         return QV_ERROR_NULL;
     unsigned storage = volume->storage;
-    if (storage - QV_STORAGE_RGBA8 > QV_STORAGE_INDEXED8_T16 - QV_STORAGE_RGBA8)
+    if (!qv_storage_known(storage))
         return QV_ERROR_STORAGE;
     unsigned alignment = qv_voxel_alignment(storage);
     if (!qv_aligned(volume->voxels, alignment))
