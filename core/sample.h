@@ -115,21 +115,18 @@ FX_INLINE fx_share qv_share(fx_weight weight, qv_address entry, const fx_density
     return fx_share_mul(weight, qv_channel(entry, 3, storage));
 }
 
-/* Trilinear: 4M 19A for the weights, 8M 7A for the opacity or extinction, 3 * (8M 7A) for
-   the colours, with every factor. */
-FX_INLINE int qv_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                             unsigned storage, qv_factor factor)
+/* Trilinear, of the entries of a cell's corners: 4M 19A for the weights, 8M 7A for the opacity
+   or extinction, 3 * (8M 7A) for the colours, with every factor. */
+FX_INLINE int qv_interpolate_corners(qv_sample *sample, const qv_address corner[8],
+                                     const fx_fraction fraction[3], unsigned storage,
+                                     qv_factor factor)
 {
-    qv_cell cell;
-    qv_address corner[8];
     fx_weight weight[8];
     fx_density density[8];
     fx_sum light[3], term[3];
-    qv_cell_locate(&cell, volume, ray);
-    qv_corners(corner, &cell, volume, storage);
     if (!qv_any_opacity(corner, storage))
         return 0;
-    qv_weights(weight, cell.fraction);
+    qv_weights(weight, fraction);
     sample->scale = factor == QV_BY_DENSITY ? qv_densities(density, corner, 8, storage) : 0u;
 
     fx_share opacity = qv_share(weight[0], corner[0], &density[0], storage, factor);
@@ -147,6 +144,17 @@ FX_INLINE int qv_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volu
     sample->light[1] = light[1];
     sample->light[2] = light[2];
     return 1;
+}
+
+/* The same where a ray stands in a volume. */
+FX_INLINE int qv_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+                             unsigned storage, qv_factor factor)
+{
+    qv_cell cell;
+    qv_address corner[8];
+    qv_cell_locate(&cell, volume, ray);
+    qv_corners(corner, &cell, volume, storage);
+    return qv_interpolate_corners(sample, corner, cell.fraction, storage, factor);
 }
 
 /* Opacity-weighted: equations 11 and 12; or extinction-weighted, of stored extinction. */
@@ -175,21 +183,24 @@ FX_INLINE fx_sum qv_associate(fx_sum colour, fx_share opacity, unsigned storage)
 
 /* Separate: the products with the opacity are those of equation 4 and belong to
    compositing. */
+FX_INLINE void qv_associate_light(qv_sample *sample, unsigned storage)
+{
+    for (unsigned c = 0; c < 3; c++)
+        sample->light[c] = qv_associate(sample->light[c], sample->opacity, storage);
+}
+
 FX_INLINE int qv_sample_separate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                                  unsigned storage)
 {
     if (!qv_interpolate(sample, ray, volume, storage, QV_BY_WEIGHT))
         return 0;
-    for (unsigned c = 0; c < 3; c++)
-        sample->light[c] = qv_associate(sample->light[c], sample->opacity, storage);
+    qv_associate_light(sample, storage);
     return 1;
 }
 
-/* Nearest: all of it is one voxel's. */
-FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                unsigned storage)
+/* All of it is one entry's. */
+FX_INLINE int qv_sample_entry(qv_sample *sample, qv_address entry, unsigned storage)
 {
-    qv_address entry = qv_entry(qv_nearest_voxel(ray, volume), volume, storage);
     fx_channel opacity = qv_channel(entry, 3, storage);
     if (fx_channel_bits(opacity) == 0)
         return 0;
@@ -197,6 +208,13 @@ FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_ray *ray, const qv_v
     sample->opacity = fx_share_mul(one, opacity);
     qv_terms(sample->light, one, sample->opacity, entry, storage, QV_BY_SHARE);
     return 1;
+}
+
+FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+                                unsigned storage)
+{
+    qv_address entry = qv_entry(qv_nearest_voxel(ray, volume), volume, storage);
+    return qv_sample_entry(sample, entry, storage);
 }
 
 /*

@@ -62,6 +62,10 @@ const char *qv_status_text(qv_status status)
         return "a sum of splats is full";
     case QV_ERROR_OVERLAP:
         return "memory that is written is also read";
+    case QV_ERROR_READ:
+        return "voxels could not be read";
+    case QV_ERROR_PAGES:
+        return "pages too few, too small or not made ready for the volume";
     }
     return "unknown status";
 }
