@@ -1,6 +1,6 @@
 # qvol: an integer-only volume renderer. `make help` lists the targets.
 #
-# Variables: TARGET=host|cortex-m0|cortex-m3|avr, CC, CFLAGS, OPTIMISE=-O2,
+# Variables: TARGET=host or a device, see toolchain/TARGETS.md; CC, CFLAGS, OPTIMISE=-O2,
 # PREFIX=/usr/local, WITHOUT="png nifti nrrd mpi cmocka" (leave out what is installed).
 
 .DEFAULT_GOAL := all
@@ -9,7 +9,8 @@ MAKEFLAGS += --no-builtin-rules
 
 BUILD := build
 TARGET ?= host
-DEVICES := cortex-m0 cortex-m3 avr
+# Each device has a file of its own; what some share lies in toolchain/shared/.
+DEVICES := $(sort $(patsubst toolchain/%.mk,%,$(wildcard toolchain/*.mk)))
 OUT := $(BUILD)/$(TARGET)
 PREFIX ?= /usr/local
 LIBRARY := $(OUT)/libqvol.a
@@ -80,7 +81,7 @@ include port/host/host.mk
 include port/mpi/mpi.mk
 include tests/tests.mk
 else
-include toolchain/device.mk
+include toolchain/shared/device.mk
 endif
 
 .PHONY: firmware size bench
@@ -97,13 +98,16 @@ bench: $(QVOL) ## instructions per sample on the devices, samples per second on 
 
 # ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo papers test test-exhaustive
+.PHONY: setup demo gallery papers test test-exhaustive
 setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
 demo: setup ## pictures of a real MRI, and of a microcontroller drawing it: build/demo/
 	@$(MAKE) -s --no-print-directory all
 	@toolchain/demo
+
+gallery: setup ## a head turning on the panels of emulated boards, beside the host's: build/gallery/
+	@toolchain/gallery $(BUILD)/gallery cortex-m3 rv32imc
 
 papers: setup ## figures and numbers of the papers, recomputed: build/papers/
 	@$(MAKE) -s --no-print-directory paper-programs

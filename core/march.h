@@ -99,9 +99,10 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
     {                                                                                              \
         qv_march_back(light, ray, context, storage, sample);                                       \
     }                                                                                              \
-    const qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage, 0};      \
-    const qv_sampling qv_##mode##_##suffix##_back_to_front = {prepare, march_back_##suffix,        \
-                                                              read_out, storage, 0};
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage,  \
+                                                      0};                                          \
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_back_to_front = {                             \
+        prepare, march_back_##suffix, read_out, storage, 0};
 
 #define QV_DEFINE_STEPS(mode, suffix, read_out, storage)                                           \
     QV_DEFINE_SAMPLING(mode, suffix, qv_prepare_steps, qv_sample_##mode, read_out, storage)

@@ -112,9 +112,10 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     {                                                                                              \
         qv_march_lengths_back(light, ray, context, storage, family);                               \
     }                                                                                              \
-    const qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage, 1};      \
-    const qv_sampling qv_##mode##_##suffix##_back_to_front = {prepare, march_back_##suffix,        \
-                                                              read_out, storage, 1};
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage,  \
+                                                      1};                                          \
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_back_to_front = {                             \
+        prepare, march_back_##suffix, read_out, storage, 1};
 
 #define QV_DEFINE_LENGTHS(mode, suffix, kind, family, read_out, storage)                           \
     QV_DEFINE_BY_LENGTH(mode, suffix, qv_prepare_##kind, family, read_out, storage)

@@ -12,10 +12,15 @@ TARGET_CFLAGS := -mmcu=$(TARGET_BOARD) $(OPTIMISE) -ffreestanding -ffunction-sec
 
 TARGET_PORT_CFLAGS := -DF_CPU=16000000UL -Wa,-I$(OUT)
 TARGET_PORT_FOLDER := port/avr
+TARGET_BALL := port/avr/ball_flash.c
 TARGET_PORT := $(addprefix $(TARGET_PORT_FOLDER)/,usart.c simulator.c) port/console.c port/crc32.c
 
 TARGET_LDFLAGS := -mmcu=$(TARGET_BOARD) -Wl,--gc-sections -T toolchain/$(TARGET_BOARD).ld
 TARGET_SCRIPTS := toolchain/$(TARGET_BOARD).ld
+
+TARGET_EMULATOR = $(AVR_SIMULATOR) $(TARGET_BOARD)
+TARGET_EMULATOR_NEEDS = $(AVR_SIMULATOR)
+TARGET_COUNT := out=
 
 TARGET_FIRMWARE := functions blends planet ball freevoxels
 

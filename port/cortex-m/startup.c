@@ -5,18 +5,14 @@
  */
 #include <stdint.h>
 #include "console.h"
+#include "memories.h"
 #include "semihosting.h"
 #include "stack.h"
-
-extern const uint32_t link_data_load[];
-extern uint32_t link_data_start[], link_data_end[];
-extern uint32_t link_bss_start[], link_bss_end[];
 
 int main(void);
 
 void reset_handler(void);
 void fault_handler(void);
-void systick_handler(void);
 
 /* What a fault returns to the shell: 128 + SIGSEGV, as on a Unix host. */
 enum { FAULT_EXIT_CODE = 139 };
@@ -41,15 +37,9 @@ __attribute__((section(".vectors"), used)) static const vector_table vectors = {
             [10] = fault_handler,  /* 11 supervisor call */
             [11] = fault_handler,  /* 12 debug monitor */
             [13] = fault_handler,  /* 14 pended service */
-            [14] = systick_handler /* 15 system timer */
+            [14] = fault_handler   /* 15 system timer */
         },
 };
-
-/* A firmware without a timer has no systick_handler of its own. */
-__attribute__((weak)) void systick_handler(void)
-{
-    fault_handler();
-}
 
 void fault_handler(void)
 {
@@ -57,18 +47,27 @@ void fault_handler(void)
     semihosting_exit(FAULT_EXIT_CODE);
 }
 
-static void load_data(void)
+/* Where the compiler may use the vector registers, it may use them anywhere, so they are switched
+   on before anything else: CPACR, full access to coprocessors 10 and 11 (Armv8-M architecture
+   manual, D1.2). */
+static void enable_vectors(void)
 {
-    const uint32_t *from = link_data_load;
-    for (uint32_t *to = link_data_start; to < link_data_end; to++)
-        *to = *from++;
-    for (uint32_t *to = link_bss_start; to < link_bss_end; to++)
-        *to = 0;
+#ifdef __ARM_FEATURE_MVE
+    *(volatile uint32_t *)0xE000ED88u |= 0xF00000u;
+    __asm__ volatile("dsb\n\tisb" ::: "memory");
+#endif
+}
+
+/* Apart from reset_handler, which must not save vector registers either. */
+__attribute__((noinline, noreturn)) static void start(void)
+{
+    memories_load();
+    stack_paint();
+    semihosting_exit(main());
 }
 
 void reset_handler(void)
 {
-    load_data();
-    stack_paint();
-    semihosting_exit(main());
+    enable_vectors();
+    start();
 }

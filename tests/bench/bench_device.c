@@ -1,19 +1,19 @@
 /*
- * bench_device.c - one picture for each storage and sampling mode, each a region
- * of the counting plugin; prints what was in it, one line a region:
- *     STORAGE MODE SCENE SAMPLES SKIPPED
- * In the scene "full" no sample can be skipped, in "sparse" most are.
+ * bench_device.c - pictures of each storage and sampling mode, each a region of the
+ * emulator's count; prints what was in it, one line a region:
+ *     STORAGE MODE SCENE RAYS SAMPLES SKIPPED
+ * In the scene "full" no sample can be skipped, in "sparse" most are; "fine" is "full" with
+ * twice the samples on the same rays. So the difference of the two is what samples cost
+ * inside a ray, and what "full" costs beyond its samples belongs to rays.
  */
 #include <stdbool.h>
 #include "measure.h"
 #include "qvol.h"
 #include "console.h"
 
-/* The largest cube of 8-byte voxels that leaves room on 16 KB of RAM. */
-enum { EDGE = 10, VOXELS = EDGE * EDGE * EDGE, WIDTH = 16, HEIGHT = 16 };
-
-/* Opacities of 16 bits. Thin, so that no ray ends early. */
-enum { THIN = 0x0300, CLEAR = 0 };
+/* Rays through the middle of a cube, so that few samples lie in its outermost half voxel, where
+   cells are clamped. */
+enum { EDGE = 10, VOXELS = EDGE * EDGE * EDGE, WIDTH = 8, HEIGHT = 8 };
 
 typedef struct mode {
     const char *storage;
@@ -60,78 +60,71 @@ static const mode modes[] = {
     {"indexed8_t16", "bspline_extinction", &qv_bspline_extinction_indexed8_t16},
 };
 
-static uint16_t voxels[VOXELS * 4];
-static union {
-    uint8_t rgba8[QV_PALETTE_ENTRIES][4];
-    uint16_t rgba16[QV_PALETTE_ENTRIES][4];
-} palette;
+/* Four times two entries of 8 bits or one of 16, the same in either byte order: of thin opacity,
+   so that no ray ends early, and without a byte, hence an index, of 0. */
+#define VOXEL     0x035A5A03, 0x03030303
+#define FIVE(...) __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__
+#define TEN(...)  FIVE(__VA_ARGS__), FIVE(__VA_ARGS__)
+
+#ifndef FLASH_VOLUME /* where flash is read as RAM is */
+#define FLASH_VOLUME
+#define FLASH_ADDRESS(object) ((qv_address) & (object))
+#endif
+
+static const uint32_t full[2 * VOXELS] FLASH_VOLUME = {TEN(TEN(TEN(VOXEL)))};
+/* Clear above the lowest slice; and indices that are. */
+static const uint32_t sparse[2 * VOXELS] FLASH_VOLUME = {TEN(TEN(VOXEL))};
+static const uint32_t sparse_indices[VOXELS / 4] FLASH_VOLUME = {FIVE(FIVE(0x5A5A5A5A))};
+/* Clear for index 0, thin for those that voxels hold. */
+static const uint32_t palette[2 * QV_PALETTE_ENTRIES] FLASH_VOLUME = {0, 0, TEN(TEN(VOXEL))};
+
 static uint8_t pixels[HEIGHT][WIDTH * 2];
 
-/* In the sparse scene only the lowest slice can be seen. */
-static uint16_t opacity(uint32_t voxel, bool sparse)
+typedef struct picture {
+    const char *name;
+    bool sparse;
+    uint32_t step;
+} picture;
+
+/* Rays of about 40 samples, and of 80. */
+static const picture pictures[] = {
+    {"full", false, QV_ONE_Q16 / 4},
+    {"sparse", true, QV_ONE_Q16 / 4},
+    {"fine", false, QV_ONE_Q16 / 8},
+};
+
+static qv_address voxels_of(bool indexed, bool is_sparse)
 {
-    return sparse && voxel >= EDGE * EDGE ? CLEAR : THIN;
+    if (!is_sparse)
+        return FLASH_ADDRESS(full);
+    return indexed ? FLASH_ADDRESS(sparse_indices) : FLASH_ADDRESS(sparse);
 }
 
-static bool has_16_bits(qv_storage storage)
-{
-    return storage % 2 == 0;
-}
-
-static uint32_t fill_direct(qv_storage storage, bool sparse)
-{
-    uint8_t *bytes = (uint8_t *)voxels;
-    for (uint32_t i = 0; i < VOXELS * 4; i++) {
-        uint16_t value = i % 4 == 3 ? opacity(i / 4, sparse) : (uint16_t)(i * 977);
-        if (has_16_bits(storage))
-            voxels[i] = value;
-        else
-            bytes[i] = (uint8_t)(value >> 8);
-    }
-    return has_16_bits(storage) ? 8 : 4;
-}
-
-static uint32_t fill_indexed(qv_storage storage, bool sparse)
-{
-    uint8_t *bytes = (uint8_t *)voxels;
-    for (uint32_t i = 0; i < VOXELS; i++)
-        bytes[i] = opacity(i, sparse) == CLEAR ? 0 : (uint8_t)(1 + i % 255);
-    for (uint32_t i = 0; i < QV_PALETTE_ENTRIES * 4; i++) {
-        uint16_t value = i % 4 != 3 ? (uint16_t)(i * 977) : i < 4 ? CLEAR : THIN;
-        if (has_16_bits(storage))
-            palette.rgba16[i / 4][i % 4] = value;
-        else
-            palette.rgba8[i / 4][i % 4] = (uint8_t)(value >> 8);
-    }
-    return 1;
-}
-
-static void make_volume(qv_volume *volume, qv_storage storage, bool sparse)
+static void make_volume(qv_volume *volume, qv_storage storage, bool is_sparse)
 {
     bool indexed = storage == QV_STORAGE_INDEXED8 || storage == QV_STORAGE_INDEXED8_16 ||
                    storage == QV_STORAGE_INDEXED8_T8 || storage == QV_STORAGE_INDEXED8_T16;
-    uint32_t bytes = indexed ? fill_indexed(storage, sparse) : fill_direct(storage, sparse);
+    bool wide = storage % 2 == 0;
+    int32_t bytes = indexed ? 1 : wide ? 8 : 4;
     *volume = (qv_volume){
-        .voxels = (qv_address)voxels,
-        .voxels_bytes = VOXELS * bytes,
-        .stride = {(int32_t)bytes, (int32_t)bytes * EDGE, (int32_t)bytes * EDGE * EDGE},
+        .voxels = voxels_of(indexed, is_sparse),
+        .voxels_bytes = (uint32_t)VOXELS * (uint32_t)bytes,
+        .stride = {bytes, bytes * EDGE, bytes * EDGE * EDGE},
         .size = {EDGE, EDGE, EDGE},
         .storage = (uint8_t)storage,
     };
     if (indexed) {
-        volume->palette = (qv_address)&palette;
-        volume->palette_bytes = has_16_bits(storage) ? QV_PALETTE16_BYTES : QV_PALETTE8_BYTES;
+        volume->palette = FLASH_ADDRESS(palette);
+        volume->palette_bytes = wide ? QV_PALETTE16_BYTES : QV_PALETTE8_BYTES;
     }
 }
 
-/* Rays of about 40 samples through the whole frame. */
-static qv_status make_context(qv_context *context, const mode *m, bool sparse)
+static qv_status make_context(qv_context *context, const mode *m, const picture *of)
 {
     qv_scene scene = {.sampling = m->sampling};
-    qv_view view = {
-        .pitch = QV_ONE_Q16 / 2, .step = QV_ONE_Q16 / 4, .width = WIDTH, .height = HEIGHT};
-    make_volume(&scene.volume, (qv_storage)m->sampling->storage, sparse);
-    if (m->sampling->prepare != qv_nearest_rgba8.prepare) { /* a mode that weighs by length */
+    qv_view view = {.pitch = QV_ONE_Q16 / 2, .step = of->step, .width = WIDTH, .height = HEIGHT};
+    make_volume(&scene.volume, (qv_storage)m->sampling->storage, of->sparse);
+    if (m->sampling->by_length) {
         scene.volume.unit_distance = QV_ONE_Q16;
         scene.volume.extinction = QV_ONE_Q16;
     }
@@ -140,45 +133,50 @@ static qv_status make_context(qv_context *context, const mode *m, bool sparse)
     return status == QV_OK ? qv_init(context, &scene) : status;
 }
 
-static void print_line(const mode *m, bool sparse, const qv_progress *progress)
+static void print_number(uint32_t number)
+{
+    console_text(" ");
+    console_decimal(number);
+}
+
+static void print_line(const mode *m, const picture *of, const qv_progress *progress)
 {
     console_text(m->storage);
     console_text(" ");
     console_text(m->name);
-    console_text(sparse ? " sparse " : " full ");
-    console_decimal((uint32_t)progress->samples);
     console_text(" ");
-    console_decimal((uint32_t)progress->skipped);
+    console_text(of->name);
+    print_number(WIDTH * HEIGHT);
+    print_number((uint32_t)progress->samples);
+    print_number((uint32_t)progress->skipped);
     console_text("\n");
 }
 
-static qv_status measure(const mode *m, bool sparse)
+static qv_status measure(const mode *m, const picture *of)
 {
     static qv_context context;
     static const qv_rect frame = {0, 0, WIDTH, HEIGHT};
     const qv_image image = {pixels, sizeof pixels, sizeof pixels[0], &qv_format_rgb565_le};
     qv_progress progress = {0};
-    qv_status status = make_context(&context, m, sparse);
+    qv_status status = make_context(&context, m, of);
     if (status != QV_OK)
         return status;
     measure_begin();
     status = qv_render_some(&image, &progress, &context, &frame, WIDTH * HEIGHT);
     measure_end();
-    print_line(m, sparse, &progress);
+    print_line(m, of, &progress);
     return status;
 }
 
 int main(void)
 {
-    for (uint32_t i = 0; i < sizeof modes / sizeof *modes; i++) {
-        qv_status status = measure(&modes[i], false);
-        if (status == QV_OK)
-            status = measure(&modes[i], true);
-        if (status != QV_OK) {
-            console_text(qv_status_text(status));
-            console_text("\n");
-            return 1;
-        }
+    qv_status status = QV_OK;
+    for (uint32_t i = 0; i < sizeof modes / sizeof *modes; i++)
+        for (uint32_t p = 0; p < sizeof pictures / sizeof *pictures && status == QV_OK; p++)
+            status = measure(&modes[i], &pictures[p]);
+    if (status != QV_OK) {
+        console_text(qv_status_text(status));
+        console_text("\n");
     }
-    return 0;
+    return status != QV_OK;
 }

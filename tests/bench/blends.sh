@@ -3,26 +3,20 @@
 # hand: instructions a pixel, counted exactly in emulated runs; bytes of RAM and flash.
 #
 #     tests/bench/blends.sh                 a Markdown table of all devices
-#     tests/bench/blends.sh TARGET BOARD    lines "NAME|INSTRUCTIONS|CYCLES" of one
+#     tests/bench/blends.sh TARGET    lines "NAME|INSTRUCTIONS|CYCLES" of one
 set -eu
 : "${BUILD:=build}" "${OPTIMISE:=-O2}"
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-plugin=$BUILD/emulator/count.so
-simulator=$BUILD/emulator/avr
 
 PIXELS=512 # blended in a region: those of blends_device.c
 
-# count TARGET BOARD: what a pixel takes; the cycles are those of an AVR, else nothing.
+# count TARGET: what a pixel takes; the cycles are those of an AVR, else nothing.
 count() {
     out=$BUILD/bench$OPTIMISE
-    case $1 in
-    avr) options="out=$work/regions" ;;
-    *) options="-plugin $plugin,out=$work/regions" ;;
-    esac
     make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$out/$1/blends.elf" >&2
-    EMULATOR_OPTIONS=$options toolchain/emulate "$2" "$out/$1/blends.elf" >"$work/results" \
+    EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/blends.elf" >"$work/results" \
         2>"$work/messages" || { cat "$work/results" "$work/messages" >&2; exit 1; }
     paste -d '|' "$work/results" "$work/regions" | awk -F'|' -v pixels=$PIXELS '
         { split($5, region, " ")
@@ -76,15 +70,13 @@ row() { # row NAME
         "$(figure avr "$1" 2)" "$(figure avr "$1" 3)" "$(ram "$1")" "$bytes"
 }
 
-make -s TARGET=cortex-m3 BUILD="$BUILD" "$plugin" >&2
-make -s TARGET=avr BUILD="$BUILD" "$simulator" >&2
-if [ $# -eq 2 ]; then
-    count "$1" "$2"
+if [ $# -eq 1 ]; then
+    count "$1"
     exit
 fi
-count cortex-m0 microbit >"$work/cortex-m0"
-count cortex-m3 lm3s6965evb >"$work/cortex-m3"
-count avr atmega1284p >"$work/avr"
+count cortex-m0 >"$work/cortex-m0"
+count cortex-m3 >"$work/cortex-m3"
+count avr >"$work/avr"
 make -s TARGET=cortex-m0 OPTIMISE=-Os BUILD="$BUILD" lib >&2
 
 cat <<END

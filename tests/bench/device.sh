@@ -1,25 +1,31 @@
 #!/bin/sh
-# Instructions a sample on the emulated devices: everything that qv_render_some
-# executes for a 16x16 frame of rays of about 40 samples, divided by the samples.
-# "full": no sample is skipped; "sparse": as many as told.
+# Instructions on the emulated devices: everything that qv_render_some executes for an 8x8
+# frame of rays of about 40 samples, divided by the samples. "full": no sample is skipped;
+# "sparse": as many as told. "inside" and "ray" part "full" in what each sample costs inside
+# a ray, and what each ray costs besides: set-up and pixel.
 #
-#     tests/bench/device.sh                 a Markdown table of both devices
-#     tests/bench/device.sh TARGET BOARD    lines "STORAGE MODE SCENE INSTRUCTIONS" of one
+#     tests/bench/device.sh           a Markdown table of both devices
+#     tests/bench/device.sh TARGET    lines "STORAGE MODE SCENE INSTRUCTIONS" of one
 set -eu
 : "${BUILD:=build}" "${OPTIMISE:=-O2}"
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-plugin=$BUILD/emulator/count.so
 
-count() { # count TARGET BOARD
+count() { # count TARGET
     out=$BUILD/bench$OPTIMISE
     make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$out/$1/bench.elf" >&2
-    EMULATOR_OPTIONS="-plugin $plugin,out=$work/regions" \
-        toolchain/emulate "$2" "$out/$1/bench.elf" >"$work/scenes" 2>"$work/messages" ||
+    EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/bench.elf" >"$work/scenes" 2>"$work/messages" ||
         { cat "$work/scenes" "$work/messages" >&2; exit 1; }
     paste -d ' ' "$work/scenes" "$work/regions" |
-        awk '{ printf "%s %s %s %.0f\n", $1, $2, $3, $9 / $4 }'
+        awk '{ rays = $4; samples = $5; executed = $10; mode = $1 " " $2 }
+            $3 != "fine" { print mode, $3, sprintf("%.0f", executed / samples) }
+            $3 == "full" { full = executed; taken = samples }
+            $3 == "fine" {
+                inside = (executed - full) / (samples - taken)
+                print mode, "inside", sprintf("%.0f", inside)
+                print mode, "ray", sprintf("%.0f", (full - inside * taken) / rays)
+            }'
 }
 
 # A row for each mode, a column for each storage and device, "FULL / SPARSE" in each.
@@ -43,15 +49,14 @@ rows() {
         }'
 }
 
-make -s TARGET=cortex-m3 BUILD="$BUILD" "$plugin" >&2
-if [ $# -eq 2 ]; then
-    count "$1" "$2"
+if [ $# -eq 1 ]; then
+    count "$1"
     exit
 fi
-count cortex-m3 lm3s6965evb >"$work/cortex-m3"
-count cortex-m0 microbit >"$work/cortex-m0"
+count cortex-m3 >"$work/cortex-m3"
+count cortex-m0 >"$work/cortex-m0"
 
-skipped=$(awk '$3 == "sparse" { all += $4; clear += $5 } END { printf "%.0f", 100 * clear / all }' \
+skipped=$(awk '$3 == "sparse" { all += $5; clear += $6 } END { printf "%.0f", 100 * clear / all }' \
     "$work/scenes")
 echo "Instructions a sample ($(arm-none-eabi-gcc --version | head -n 1), $OPTIMISE), where"
 echo "every sample is taken / where $skipped % lie in cells that are skipped; \"stored\" is of voxels"

@@ -4,14 +4,12 @@
 # rays; bytes of memory.
 #
 #     tests/bench/freevoxels.sh                 Markdown tables
-#     tests/bench/freevoxels.sh TARGET BOARD    lines "NAME|PIXELS|INSTRUCTIONS|CYCLES|STACK" of one
+#     tests/bench/freevoxels.sh TARGET    lines "NAME|PIXELS|INSTRUCTIONS|CYCLES|STACK" of one
 set -eu
 : "${BUILD:=build}" "${OPTIMISE:=-O2}" "${CC:=cc}"
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-plugin=$BUILD/emulator/count.so
-simulator=$BUILD/emulator/avr
 
 # divide FILE FILE: regions by what they are counted in, less the first, which is empty. Of an AVR
 # the cycles too, of a Cortex-M the bytes of stack; else a dash.
@@ -25,15 +23,11 @@ divide() {
               (count - empty) / $2), cycles, stack }'
 }
 
-# count TARGET BOARD: to $work/TARGET.
+# count TARGET: to $work/TARGET.
 count() {
     out=$BUILD/bench$OPTIMISE
-    case $1 in
-    avr) options="out=$work/regions" ;;
-    *) options="-plugin $plugin,out=$work/regions" ;;
-    esac
     make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$out/$1/freevoxels.elf" >&2
-    EMULATOR_OPTIONS=$options toolchain/emulate "$2" "$out/$1/freevoxels.elf" >"$work/results" \
+    EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/freevoxels.elf" >"$work/results" \
         2>"$work/messages" || { cat "$work/results" "$work/messages" >&2; exit 1; }
     divide "$work/results" "$work/regions" >"$work/$1"
 }
@@ -69,16 +63,14 @@ row() { # row LINE
         "$(figure host "$1" 3) | $(figure cortex-m3 "$1" 5) |"
 }
 
-make -s TARGET=cortex-m3 BUILD="$BUILD" "$plugin" >&2
-make -s TARGET=avr BUILD="$BUILD" "$simulator" >&2
-if [ $# -eq 2 ]; then
-    count "$1" "$2"
+if [ $# -eq 1 ]; then
+    count "$1"
     cat "$work/$1"
     exit
 fi
-count avr atmega1284p
-count cortex-m0 microbit
-count cortex-m3 lm3s6965evb
+count avr
+count cortex-m0
+count cortex-m3
 context=$(sed -n 's/^context //p' "$work/results")
 count_here
 

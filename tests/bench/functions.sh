@@ -8,8 +8,6 @@ set -eu
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-plugin=$BUILD/emulator/count.so
-simulator=$BUILD/emulator/avr
 
 tool() { # tool TARGET NAME: a program of its compiler's package
     case $1 in
@@ -25,12 +23,12 @@ machine() { # machine TARGET: what the compiler is told of it
     esac
 }
 
-# count TARGET BOARD OPTION: lines "NAME INSTRUCTIONS CYCLES" of a call, less those of an
+# count TARGET: lines "NAME INSTRUCTIONS CYCLES" of a call, less those of an
 # empty one; what the third figure is on a Cortex-M does not matter.
 count() {
     out=$BUILD/bench-O2
     make -s TARGET="$1" OPTIMISE=-O2 BUILD="$out" "$out/$1/functions.elf" >&2
-    EMULATOR_OPTIONS=$3 toolchain/emulate "$2" "$out/$1/functions.elf" >"$work/names" \
+    EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/functions.elf" >"$work/names" \
         2>"$work/messages" || { cat "$work/messages" >&2; exit 1; }
     paste -d ' ' "$work/names" "$work/regions" |
         awk 'NR == 1 { empty = $6; empty_cycles = $8 }
@@ -66,8 +64,6 @@ row() { # row FUNCTION SUBJECT UNIT NAME: one line of the table
         "$m3 | $(calls cortex-m3 "$2" 2) | $avr | $(calls avr "$2" 2) | $(calls avr "$2" 3) |"
 }
 
-make -s TARGET=cortex-m3 BUILD="$BUILD" "$plugin" >&2
-make -s TARGET=avr BUILD="$BUILD" "$simulator" >&2
 for target in cortex-m0 cortex-m3 avr; do
     make -s TARGET=$target OPTIMISE=-Os BUILD="$BUILD" lib >&2
 done
@@ -75,9 +71,9 @@ for name in exp log phi correct; do
     make -s BUILD="$BUILD" "$BUILD/tests/unit/test_fx_$name" >&2
     "$BUILD/tests/unit/test_fx_$name" 2>/dev/null | grep '^# ' >>"$work/errors"
 done
-count cortex-m0 microbit "-plugin $plugin,out=$work/regions"
-count cortex-m3 lm3s6965evb "-plugin $plugin,out=$work/regions"
-count avr atmega1284p "out=$work/regions"
+count cortex-m0
+count cortex-m3
+count avr
 
 cat <<END
 Functions of optical depth: bytes of code + tables at -Os, instructions of a call at -O2.

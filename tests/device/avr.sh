@@ -33,7 +33,7 @@ lies_far() { # lies_far OPTIMISE
 }
 
 runs() { # runs OPTIMISE
-    EMULATOR_OPTIONS=out=$work/regions$1 toolchain/emulate atmega1284p \
+    EMULATOR_REPORT=$work/regions$1 toolchain/emulate avr \
         "$BUILD/avr$1/avr/planet.elf" >"$work/results" && diff "$work/expected" "$work/results"
 }
 
@@ -55,7 +55,6 @@ figures() { # figures OPTIMISE
                       ram, size }' "$work/regions$1"
 }
 
-make -s TARGET=avr BUILD="$BUILD" "$BUILD/emulator/avr" >&2
 check "planet on this machine" on_host
 for optimise in -Os -O2; do
     check "planet on avr $optimise: builds" builds $optimise

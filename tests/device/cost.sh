@@ -7,7 +7,7 @@ set -eu
 build=${BUILD:-build}
 
 counted() { # all modes, into $work/counts
-    BUILD=$build tests/bench/device.sh cortex-m3 lm3s6965evb >"$work/counts"
+    BUILD=$build tests/bench/device.sh cortex-m3 >"$work/counts"
 }
 
 figure() { # figure STORAGE MODE

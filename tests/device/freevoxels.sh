@@ -33,10 +33,10 @@ subjects_on_host() {
         [ "$(grep -c '|[0-9]*|[0-9]*|[0-9]*$' "$work/subjects_expected")" -ge 29 ]
 }
 
-subjects() { # subjects TARGET BOARD: the results of this machine
+subjects() { # subjects TARGET: the results of this machine
     top=$BUILD/bench-O2
     make -s TARGET="$1" OPTIMISE=-O2 BUILD="$top" "$top/$1/freevoxels.elf" &&
-        EMULATOR_OPTIONS='' toolchain/emulate "$2" "$top/$1/freevoxels.elf" >"$work/results" &&
+        toolchain/emulate "$1" "$top/$1/freevoxels.elf" >"$work/results" &&
         grep '|' "$work/results" | diff "$work/subjects_expected" -
 }
 
@@ -46,21 +46,16 @@ one_picture() {
          END { exit !(block != "" && block == stream) }' "$work/expected"
 }
 
-runs() { # runs TARGET BOARD OPTIMISE: the results of this machine
-    top=$BUILD/ball$3
-    case $1 in
-    avr) EMULATOR_OPTIONS=out=$work/regions$3 ;;
-    *) EMULATOR_OPTIONS= ;;
-    esac
-    export EMULATOR_OPTIONS
-    make -s TARGET="$1" OPTIMISE="$3" BUILD="$top" "$top/$1/ball.elf" &&
-        toolchain/emulate "$2" "$top/$1/ball.elf" >"$work/results" &&
+runs() { # runs TARGET OPTIMISE: the results of this machine
+    top=$BUILD/ball$2
+    make -s TARGET="$1" OPTIMISE="$2" BUILD="$top" "$top/$1/ball.elf" &&
+        EMULATOR_REPORT=$work/$1$2 toolchain/emulate "$1" "$top/$1/ball.elf" >"$work/results" &&
         diff "$work/expected" "$work/results"
 }
 
 # What data and stack leave of the RAM was never written.
 fits() { # fits OPTIMISE
-    used=$(awk '$2 == 2 { print $8 }' "$work/regions$1")
+    used=$(awk '$2 == 2 { print $8 }' "$work/avr$1")
     echo "${used:-nothing} of $RAM bytes used"
     [ "${used:-0}" -gt 4096 ] && [ "$used" -le $((RAM - GAP)) ]
 }
@@ -71,21 +66,20 @@ figures() { # figures OPTIMISE
                      $2 == 0 ? "by blocks" : "from a stream", $6 / voxels / strips, $6 / clock,
                      clock / 1000000 }
         $2 == 2 { printf "%s, attenuation: %.0f cycles a voxel and direction\n", what, $6 / voxels
-                  printf "%s: %d bytes of RAM\n", what, $8 }' "$work/regions$1"
+                  printf "%s: %d bytes of RAM\n", what, $8 }' "$work/avr$1"
 }
 
-make -s TARGET=avr BUILD="$BUILD" "$BUILD/emulator/avr" >&2
 check "freevoxels on this machine" on_host
 check "freevoxels: blocks and a stream make one picture" one_picture
 for optimise in -Os -O2; do
-    check "freevoxels on cortex-m0 $optimise" runs cortex-m0 microbit $optimise
-    check "freevoxels on cortex-m3 $optimise" runs cortex-m3 lm3s6965evb $optimise
-    check "freevoxels on avr $optimise" runs avr atmega1284p $optimise
+    check "freevoxels on cortex-m0 $optimise" runs cortex-m0 $optimise
+    check "freevoxels on cortex-m3 $optimise" runs cortex-m3 $optimise
+    check "freevoxels on avr $optimise" runs avr $optimise
     check "freevoxels on avr $optimise: data and stack fit the RAM" fits $optimise
     figures $optimise
 done
 check "subjects of freevoxels on this machine" subjects_on_host
-check "subjects of freevoxels on cortex-m0" subjects cortex-m0 microbit
-check "subjects of freevoxels on cortex-m3" subjects cortex-m3 lm3s6965evb
-check "subjects of freevoxels on avr" subjects avr atmega1284p
+check "subjects of freevoxels on cortex-m0" subjects cortex-m0
+check "subjects of freevoxels on cortex-m3" subjects cortex-m3
+check "subjects of freevoxels on avr" subjects avr
 finish

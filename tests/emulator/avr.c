@@ -1,7 +1,7 @@
 /*
  * avr.c - runs a firmware on a simulated AVR, exact to the cycle, with libsimavr:
  *
- *     avr MACHINE FILE.elf [out=FILE]
+ *     avr MACHINE [out=FILE] FILE.elf
  *
  * The first serial port is standard output. The firmware ends the run by writing its
  * exit code to GPIOR0, and marks what is measured by writing 1, then 0 to GPIOR1
@@ -174,19 +174,20 @@ static int execute(avr_t *avr, run *r)
 int main(int count, char **arguments)
 {
     run r = {.report = NULL};
-    bool reports = count == 4 && strncmp(arguments[3], "out=", 4) == 0;
+    bool reports = count == 4 && strncmp(arguments[2], "out=", 4) == 0;
     if (count != 3 && !reports) {
-        fprintf(stderr, "usage: avr MACHINE FILE.elf [out=FILE]\n");
+        fprintf(stderr, "usage: avr MACHINE [out=FILE] FILE.elf\n");
         return USAGE_EXIT_CODE;
     }
-    if (reports && (r.report = fopen(arguments[3] + 4, "w")) == NULL) {
-        perror(arguments[3] + 4);
+    if (reports && (r.report = fopen(arguments[2] + 4, "w")) == NULL) {
+        perror(arguments[2] + 4);
         return USAGE_EXIT_CODE;
     }
     avr_global_logger_set(log_errors);
-    avr_t *avr = power_up(arguments[1], arguments[2]);
+    const char *file = arguments[count - 1];
+    avr_t *avr = power_up(arguments[1], file);
     if (avr == NULL) {
-        fprintf(stderr, "avr: cannot run %s on %s\n", arguments[2], arguments[1]);
+        fprintf(stderr, "avr: cannot run %s on %s\n", file, arguments[1]);
         return USAGE_EXIT_CODE;
     }
     connect(avr, &r);

@@ -72,9 +72,6 @@ static uint64_t executed_at_begin;
 static uint64_t stack_start;
 static uint64_t stack_lowest;
 
-/* RAM of every Cortex-M: where a stack may be. */
-enum { RAM_FIRST = 0x20000000, RAM_LAST = 0x3FFFFFFF };
-
 /* How far below the caller a write still counts as stack, rather than data. */
 enum { STACK_REACH = 2048, WORD_BYTES = 4 };
 
@@ -146,9 +143,9 @@ static void written(unsigned cpu, qemu_plugin_meminfo_t info, uint64_t address, 
     (void)cpu;
     (void)info;
     (void)data;
-    if (!measuring || address < RAM_FIRST || address > RAM_LAST)
+    if (!measuring)
         return;
-    if (!stack_known) { /* measure_begin's own push */
+    if (!stack_known) { /* measure_begin's own */
         stack_known = true;
         stack_start = address + WORD_BYTES;
         stack_lowest = stack_start;

@@ -2,20 +2,14 @@
  * stack.c - painting the stack and looking for the paint.
  */
 #include "stack.h"
+#include "machine.h"
 
 /* Unlikely as data, an address or an instruction. */
 #define PAINT 0x5AC35AC3u
 
-static uint32_t *stack_pointer(void)
-{
-    uint32_t *pointer;
-    __asm__ volatile("mov %0, sp" : "=r"(pointer));
-    return pointer;
-}
-
 void stack_paint(void)
 {
-    uint32_t *end = stack_pointer();
+    uint32_t *end = machine_stack_pointer();
     for (volatile uint32_t *word = link_stack_limit; word < end; word++)
         *word = PAINT;
 }

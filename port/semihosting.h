@@ -1,6 +1,7 @@
 /*
  * semihosting.h - command line and exit through the debugger or the emulator
- * ("Semihosting for AArch32 and AArch64", Arm); so is the console (port/console.h).
+ * ("Semihosting for AArch32 and AArch64", Arm, and "RISC-V Semihosting"); so is the
+ * console (port/console.h).
  */
 #ifndef SEMIHOSTING_H
 #define SEMIHOSTING_H

@@ -1,0 +1,6 @@
+# Cortex-M4 with DSP instructions, emulated as an Arm MPS2 board.
+TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
+TARGET_BOARD := mps2-an386
+TARGET_MEMORIES := mps2
+TARGET_CPU := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft
+include toolchain/shared/cortex-m.mk

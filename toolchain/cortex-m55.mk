@@ -1,0 +1,6 @@
+# Cortex-M55 with vector instructions of integers alone (Helium, MVE-I), emulated as an
+# Arm MPS3 board. Vectors are passed in registers, hence the float ABI.
+TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
+TARGET_BOARD := mps3-an547
+TARGET_CPU := -march=armv8.1-m.main+mve -mthumb -mfloat-abi=hard
+include toolchain/shared/cortex-m.mk

@@ -1,0 +1,13 @@
+# What all Cortex-M targets share. A target sets TARGET_BOARD, TARGET_CPU and
+# TARGET_PACKAGES, and includes this file.
+TARGET_CC := arm-none-eabi-gcc
+TARGET_AR := arm-none-eabi-ar
+
+# Every instruction takes 2^8 ns, so that timers count instructions and nothing
+# depends on the speed of this machine.
+TARGET_EMULATOR := qemu-system-arm -M $(TARGET_BOARD) -icount shift=8,sleep=off
+
+TARGET_PORT_FOLDER := port/cortex-m
+TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
+
+include toolchain/shared/firmware.mk
