@@ -21,13 +21,33 @@ qv_status qv_prepare_steps(qv_context *context, const qv_scene *scene);
 
 FX_INLINE void qv_advance(qv_ray *ray)
 {
+    FX_UNROLL
     for (unsigned axis = 0; axis < 3; axis++)
         ray->place[axis] += ray->advance[axis];
 }
 
-/* Takes the ray's next sample; returns 0 where there is nothing to see. */
-FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
-                      const qv_volume *volume, unsigned storage, qv_mode *mode)
+/* A mode that advances the ray too. */
+typedef int qv_taking(qv_sample *sample, qv_ray *ray, const qv_volume *volume, unsigned storage);
+
+/* Advances the ray while its place is at hand: qv_take_MODE. */
+#define QV_TAKE_CELL(mode)                                                                         \
+    FX_INLINE int qv_take_##mode(qv_sample *sample, qv_ray *ray, const qv_volume *volume,          \
+                                 unsigned storage)                                                 \
+    {                                                                                              \
+        qv_cell cell;                                                                              \
+        qv_cell_locate(&cell, volume, ray);                                                        \
+        qv_advance(ray);                                                                           \
+        FX_FORGET();                                                                               \
+        return qv_cell_##mode(sample, &cell, volume, storage);                                     \
+    }
+
+QV_TAKE_CELL(nearest)
+QV_TAKE_CELL(separate)
+QV_TAKE_CELL(weighted)
+
+/* Takes a ray's next sample, and advances it; returns 0 where there is nothing to see. */
+FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, qv_ray *ray, const qv_volume *volume,
+                      unsigned storage, qv_taking *mode)
 {
     qv_sample sample;
     if (!mode(&sample, ray, volume, storage))
@@ -40,7 +60,7 @@ FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
 
 /* Front to back. ray->samples counts down to those that were not taken. */
 FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
-                        qv_mode *mode)
+                        qv_taking *mode)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_ray_clip(ray, context);
@@ -56,7 +76,6 @@ FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context,
                 return;
             }
         }
-        qv_advance(ray);
     }
 }
 
@@ -73,7 +92,7 @@ FX_INLINE void qv_reverse(qv_ray *ray)
 
 /* Back to front: every sample is taken. */
 FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *context,
-                             unsigned storage, qv_mode *mode)
+                             unsigned storage, qv_taking *mode)
 {
     qv_ray_clip(ray, context);
     for (qv_reverse(ray); ray->samples != 0; ray->samples--) {
@@ -82,7 +101,6 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
             qv_over(light, colour, opacity);
         else
             light->skipped++;
-        qv_advance(ray);
     }
 }
 
@@ -105,7 +123,7 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
         prepare, march_back_##suffix, read_out, storage, 0};
 
 #define QV_DEFINE_STEPS(mode, suffix, read_out, storage)                                           \
-    QV_DEFINE_SAMPLING(mode, suffix, qv_prepare_steps, qv_sample_##mode, read_out, storage)
+    QV_DEFINE_SAMPLING(mode, suffix, qv_prepare_steps, qv_take_##mode, read_out, storage)
 
 /* DEFINE for each storage that modes without lengths take. */
 #define QV_STEPS_ENTRIES(DEFINE, mode)                                                             \

@@ -6,6 +6,7 @@
 #define QV_PAGED_H
 
 #include "bspline.h"
+#include "march.h"
 #include "pages.h"
 
 /* Moves to the box of the cell in which a ray stands. */
@@ -87,6 +88,20 @@ FX_INLINE int qv_paged_nearest(qv_sample *sample, const qv_ray *ray, const qv_vo
     const uint8_t *voxel = qv_pages_voxel(volume->pages, position);
     return qv_sample_entry(sample, qv_paged_entry(voxel, volume, storage), storage);
 }
+
+/* The modes, which advance the ray: qv_take_paged_MODE. */
+#define QV_TAKE_PAGED(mode)                                                                        \
+    FX_INLINE int qv_take_paged_##mode(qv_sample *sample, qv_ray *ray, const qv_volume *volume,    \
+                                       unsigned storage)                                           \
+    {                                                                                              \
+        int seen = qv_paged_##mode(sample, ray, volume, storage);                                  \
+        qv_advance(ray);                                                                           \
+        return seen;                                                                               \
+    }
+
+QV_TAKE_PAGED(nearest)
+QV_TAKE_PAGED(separate)
+QV_TAKE_PAGED(weighted)
 
 /* ---- B-splines ---------------------------------------------------------------- */
 
