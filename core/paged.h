@@ -29,9 +29,14 @@ FX_INLINE int qv_paged_locate(uint32_t beyond[3], const qv_pages *pages, const q
     return 1;
 }
 
-/* The entries of the corners of the cell in which a ray stands. */
-FX_INLINE void qv_paged_corners(qv_address corner[8], const qv_ray *ray, const qv_volume *volume,
-                                unsigned storage)
+/* What is known of a sample's cell once its voxels are in memory. */
+typedef struct qv_paged_cell {
+    qv_address corner[8]; /* entries; of nearest modes, the first alone */
+    fx_fraction fraction[3];
+} qv_paged_cell;
+
+FX_INLINE void qv_paged_find(qv_paged_cell *cell, const qv_ray *ray, const qv_volume *volume,
+                             unsigned storage)
 {
     qv_pages *pages = volume->pages;
     uint32_t beyond[3];
@@ -40,44 +45,14 @@ FX_INLINE void qv_paged_corners(qv_address corner[8], const qv_ray *ray, const q
     uint32_t offset = beyond[0] * qv_voxel_bytes(storage) + beyond[1] * pages->stride[1] +
                       beyond[2] * pages->stride[2]; /* below the bytes of a page */
     for (unsigned c = 0; c < 8; c++)
-        corner[c] = qv_paged_entry(pages->corner[c] + (size_t)offset, volume, storage);
-}
-
-FX_INLINE int qv_paged_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                   unsigned storage, qv_factor factor)
-{
-    qv_address corner[8];
-    fx_fraction fraction[3];
-    qv_paged_corners(corner, ray, volume, storage);
+        cell->corner[c] = qv_paged_entry(pages->corner[c] + (size_t)offset, volume, storage);
     for (unsigned axis = 0; axis < 3; axis++)
-        fraction[axis] = fx_fraction_of((uint32_t)ray->place[axis] >> 24);
-    return qv_interpolate_corners(sample, corner, fraction, storage, factor);
-}
-
-FX_INLINE int qv_paged_weighted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                unsigned storage)
-{
-    return qv_paged_interpolate(sample, ray, volume, storage, QV_BY_SHARE);
-}
-
-FX_INLINE int qv_paged_converted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                 unsigned storage)
-{
-    return qv_paged_interpolate(sample, ray, volume, storage, QV_BY_DENSITY);
-}
-
-FX_INLINE int qv_paged_separate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                unsigned storage)
-{
-    if (!qv_paged_interpolate(sample, ray, volume, storage, QV_BY_WEIGHT))
-        return 0;
-    qv_associate_light(sample, storage);
-    return 1;
+        cell->fraction[axis] = fx_fraction_of((uint32_t)ray->place[axis] >> 24);
 }
 
 /* The voxel that contains the point, by 1/2 more of it; clamped for the 1/512 in it. */
-FX_INLINE int qv_paged_nearest(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                               unsigned storage)
+FX_INLINE void qv_paged_find_nearest(qv_paged_cell *cell, const qv_ray *ray,
+                                     const qv_volume *volume, unsigned storage)
 {
     uint16_t position[3];
     for (unsigned axis = 0; axis < 3; axis++) {
@@ -86,22 +61,58 @@ FX_INLINE int qv_paged_nearest(qv_sample *sample, const qv_ray *ray, const qv_vo
         position[axis] = (uint16_t)(index < last ? index : last);
     }
     const uint8_t *voxel = qv_pages_voxel(volume->pages, position);
-    return qv_sample_entry(sample, qv_paged_entry(voxel, volume, storage), storage);
+    cell->corner[0] = qv_paged_entry(voxel, volume, storage);
 }
 
-/* The modes, which advance the ray: qv_take_paged_MODE. */
-#define QV_TAKE_PAGED(mode)                                                                        \
+FX_INLINE int qv_paged_cell_nearest(qv_sample *sample, const qv_paged_cell *cell, unsigned storage)
+{
+    return qv_sample_entry(sample, cell->corner[0], storage);
+}
+
+FX_INLINE int qv_paged_cell_weighted(qv_sample *sample, const qv_paged_cell *cell, unsigned storage)
+{
+    return qv_interpolate_corners(sample, cell->corner, cell->fraction, storage, QV_BY_SHARE);
+}
+
+FX_INLINE int qv_paged_cell_separate(qv_sample *sample, const qv_paged_cell *cell, unsigned storage)
+{
+    int seen = qv_interpolate_corners(sample, cell->corner, cell->fraction, storage, QV_BY_WEIGHT);
+    if (seen)
+        qv_associate_light(sample, storage);
+    return seen;
+}
+
+/* Modes that know no lengths advance the ray, while its place is at hand: qv_take_paged_MODE. */
+#define QV_TAKE_PAGED(mode, find)                                                                  \
     FX_INLINE int qv_take_paged_##mode(qv_sample *sample, qv_ray *ray, const qv_volume *volume,    \
                                        unsigned storage)                                           \
     {                                                                                              \
-        int seen = qv_paged_##mode(sample, ray, volume, storage);                                  \
+        qv_paged_cell cell;                                                                        \
+        find(&cell, ray, volume, storage);                                                         \
         qv_advance(ray);                                                                           \
-        return seen;                                                                               \
+        return qv_paged_cell_##mode(sample, &cell, storage);                                       \
     }
 
-QV_TAKE_PAGED(nearest)
-QV_TAKE_PAGED(separate)
-QV_TAKE_PAGED(weighted)
+QV_TAKE_PAGED(nearest, qv_paged_find_nearest)
+QV_TAKE_PAGED(separate, qv_paged_find)
+QV_TAKE_PAGED(weighted, qv_paged_find)
+
+/* The others do not. */
+FX_INLINE int qv_paged_weighted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+                                unsigned storage)
+{
+    qv_paged_cell cell;
+    qv_paged_find(&cell, ray, volume, storage);
+    return qv_paged_cell_weighted(sample, &cell, storage);
+}
+
+FX_INLINE int qv_paged_converted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+                                 unsigned storage)
+{
+    qv_paged_cell cell;
+    qv_paged_find(&cell, ray, volume, storage);
+    return qv_interpolate_corners(sample, cell.corner, cell.fraction, storage, QV_BY_DENSITY);
+}
 
 /* ---- B-splines ---------------------------------------------------------------- */
 

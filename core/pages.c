@@ -62,7 +62,7 @@ static uint64_t brick_count(const uint8_t shift[3], const uint16_t size[3])
 /* Everything but where voxels lie. */
 static qv_status check_volume(const qv_volume *volume)
 {
-    if (volume->storage - 1u > QV_STORAGE_INDEXED8_T16 - 1u)
+    if (!qv_storage_known(volume->storage))
         return QV_ERROR_STORAGE;
     if (!size_valid(volume->size))
         return QV_ERROR_SIZE;

@@ -11,8 +11,8 @@ build=${BUILD:-build}
 out=$build/cortex-m0
 
 # Code and tables as measured before there were other modes: what is not named costs nothing, but
-# for the 8 bytes by which qv_render tells of voxels that could not be read.
-ORTHOGRAPHIC_LIMIT=4050
+# for the 16 bytes by which qv_render tells of voxels that could not be read.
+ORTHOGRAPHIC_LIMIT=4058
 PERSPECTIVE_LIMIT=4842
 CONTEXT_LIMIT=256
 STACK_LIMIT=512

@@ -56,7 +56,7 @@ static void volumes_are_checked_but_for_voxels(void **state)
     const qv_volume good = *volume();
     volume()->storage = 0;
     expect(QV_ERROR_STORAGE);
-    volume()->storage = QV_STORAGE_INDEXED8_T16 + 1;
+    volume()->storage = QV_STORAGE_ASSOCIATED8 + 1;
     expect(QV_ERROR_STORAGE);
     *volume() = good;
     volume()->size[1] = 0;
