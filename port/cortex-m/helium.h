@@ -335,7 +335,7 @@ FX_INLINE void helium_take_alone(qv_light *light, qv_ray *ray, int32_t number,
 {
     uint32_t colour[3], opacity;
     qv_ray_count_from(ray, number);
-    if (!qv_take(colour, &opacity, ray, volume, storage, qv_cell_weighted))
+    if (!qv_take(colour, &opacity, ray, volume, storage, qv_take_weighted))
         light->skipped++;
     else if (back)
         qv_over(light, colour, opacity);
@@ -370,9 +370,9 @@ FX_INLINE void helium_march(qv_light *light, qv_ray *ray, const qv_context *cont
 }
 
 FX_INLINE int qv_march_vectors(qv_light *light, qv_ray *ray, const qv_context *context,
-                               unsigned storage, qv_cell_mode *mode, int back)
+                               unsigned storage, qv_taking *mode, int back)
 {
-    if (mode != qv_cell_weighted || qv_channel_bytes(storage) != 1 ||
+    if (mode != qv_take_weighted || qv_channel_bytes(storage) != 1 ||
         !helium_reads(&context->scene.volume, storage))
         return 0;
     qv_ray_clip(ray, context);

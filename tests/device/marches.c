@@ -139,24 +139,24 @@ static void print_light(const char *name, const qv_light *light, const qv_ray *r
 static void march_in_c(qv_light *light, qv_ray *ray, const form *f)
 {
     if (f->storage == QV_STORAGE_RGBA8 && f->back)
-        qv_march_back(light, ray, &context, QV_STORAGE_RGBA8, qv_cell_weighted);
+        qv_march_back(light, ray, &context, QV_STORAGE_RGBA8, qv_take_weighted);
     else if (f->storage == QV_STORAGE_RGBA8)
-        qv_march(light, ray, &context, QV_STORAGE_RGBA8, qv_cell_weighted);
+        qv_march(light, ray, &context, QV_STORAGE_RGBA8, qv_take_weighted);
     else if (f->back)
-        qv_march_back(light, ray, &context, QV_STORAGE_INDEXED8, qv_cell_weighted);
+        qv_march_back(light, ray, &context, QV_STORAGE_INDEXED8, qv_take_weighted);
     else
-        qv_march(light, ray, &context, QV_STORAGE_INDEXED8, qv_cell_weighted);
+        qv_march(light, ray, &context, QV_STORAGE_INDEXED8, qv_take_weighted);
 }
 
 static int march_in_vectors(qv_light *light, qv_ray *ray, const form *f)
 {
     if (f->storage == QV_STORAGE_RGBA8 && f->back)
-        return qv_march_vectors(light, ray, &context, QV_STORAGE_RGBA8, qv_cell_weighted, 1);
+        return qv_march_vectors(light, ray, &context, QV_STORAGE_RGBA8, qv_take_weighted, 1);
     if (f->storage == QV_STORAGE_RGBA8)
-        return qv_march_vectors(light, ray, &context, QV_STORAGE_RGBA8, qv_cell_weighted, 0);
+        return qv_march_vectors(light, ray, &context, QV_STORAGE_RGBA8, qv_take_weighted, 0);
     if (f->back)
-        return qv_march_vectors(light, ray, &context, QV_STORAGE_INDEXED8, qv_cell_weighted, 1);
-    return qv_march_vectors(light, ray, &context, QV_STORAGE_INDEXED8, qv_cell_weighted, 0);
+        return qv_march_vectors(light, ray, &context, QV_STORAGE_INDEXED8, qv_take_weighted, 1);
+    return qv_march_vectors(light, ray, &context, QV_STORAGE_INDEXED8, qv_take_weighted, 0);
 }
 
 /* One ray both ways; returns its samples, or 0 where light or counts differ. */
