@@ -124,12 +124,25 @@ install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL) $(MPI_COMMAND)) ## hea
 	install -m 644 core/qvol.h "$(DESTDIR)$(PREFIX)/include/qvol.h"
 	install -m 644 $(LIBRARY) "$(DESTDIR)$(PREFIX)/lib/libqvol.a"
 	version=$$(sed -n 's/^#define QV_VERSION  *"\(.*\)"/\1/p' core/qvol.h) && \
-	sed -e "s|@PREFIX@|$(PREFIX)|" -e "s|@VERSION@|$$version|" toolchain/qvol.pc.in \
+	sed -e "s|@PREFIX@|$(PREFIX)|" -e "s|@LIBDIR@|lib|" -e "s|@VERSION@|$$version|" \
+		port/pkg-config/qvol.pc.in \
 		> "$(DESTDIR)$(PREFIX)/lib/pkgconfig/qvol.pc"
 ifeq ($(TARGET),host)
 	install -d "$(DESTDIR)$(PREFIX)/bin"
 	install -m 755 $(QVOL) $(MPI_COMMAND) "$(DESTDIR)$(PREFIX)/bin"
 endif
+
+# ---- Packages: port/README.md says how to take them home ------------------------------
+
+DIST := $(BUILD)/dist
+
+.PHONY: dist amalgamation
+dist: amalgamation ## a package for each ecosystem below build/dist/
+	@toolchain/dist $(DIST) $(LIBRARY_SOURCES)
+
+amalgamation: ## the library as one header and one source: build/dist/amalgamation/
+	@toolchain/amalgamate $(DIST)/amalgamation $(LIBRARY_SOURCES)
+	@cp LICENSE CHANGELOG.md $(DIST)/amalgamation
 
 # ---- Care -----------------------------------------------------------------------
 
