@@ -9,8 +9,8 @@ MAKEFLAGS += --no-builtin-rules
 
 BUILD := build
 TARGET ?= host
-# A device is a file that names its board or its processor.
-DEVICES := $(sort $(patsubst toolchain/%.mk,%,$(shell grep -l '^TARGET_CPU\|^TARGET_BOARD' toolchain/*.mk)))
+# Each device has a file of its own; what some share lies in toolchain/shared/.
+DEVICES := $(sort $(patsubst toolchain/%.mk,%,$(wildcard toolchain/*.mk)))
 OUT := $(BUILD)/$(TARGET)
 PREFIX ?= /usr/local
 LIBRARY := $(OUT)/libqvol.a
@@ -81,7 +81,7 @@ include port/host/host.mk
 include port/mpi/mpi.mk
 include tests/tests.mk
 else
-include toolchain/device.mk
+include toolchain/shared/device.mk
 endif
 
 .PHONY: firmware size bench

@@ -102,7 +102,7 @@ static void pass_voxels(bundle *b, const row *r, const pass *p)
         fx_unorm16 fourth = qv_entry_fourth(entry, storage);
         if (fourth == 0)
             continue;
-        b->depth[line] += qv_thickness_depth(&thickness, p->domain->weight(fourth));
+        b->depth[line] += qv_thickness_depth(&thickness, QV_FIELD(p->domain, weight)(fourth));
         if (b->byte[line] != 0)
             b->byte[line] = qv_attenuation_byte(b->depth[line]);
     }
@@ -244,7 +244,7 @@ static void set_direction(pass *p, uint8_t direction)
 static qv_status prepare(pass *p, const qv_volume *volume, const qv_domain *domain,
                          uint8_t direction)
 {
-    if (domain->of_opacity == qv_storage_extinction(volume->storage))
+    if (QV_FIELD(domain, of_opacity) == qv_storage_extinction(volume->storage))
         return QV_ERROR_STORAGE;
     p->volume = volume;
     p->domain = domain;

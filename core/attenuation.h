@@ -59,7 +59,7 @@ qv_status qv_target_init(qv_target *target, void *to, size_t bytes,
 /* From there to that of a voxel. */
 static inline size_t qv_target_offset(const qv_target *target, const uint16_t position[3])
 {
-    return (size_t)target->order->index(target->size, position) * target->record;
+    return (size_t)QV_FIELD(target->order, index)(target->size, position) * target->record;
 }
 
 /* ---- Blocks ------------------------------------------------------------------- */

@@ -169,12 +169,12 @@ static void read_rgba8888(qv_fragment *fragment, const uint8_t *pixel, const uin
     read_levels(fragment, pixel, 4);
 }
 
-const qv_blend qv_hardware_rgb888 = {blend_rgb888, clear_rgb888, read_rgb888, look_rgb888, 3, 0,
-                                     QV_HARDWARE};
-const qv_blend qv_hardware_rgba8888 = {
+QV_DESCRIPTOR qv_blend qv_hardware_rgb888 = {
+    blend_rgb888, clear_rgb888, read_rgb888, look_rgb888, 3, 0, QV_HARDWARE};
+QV_DESCRIPTOR qv_blend qv_hardware_rgba8888 = {
     blend_rgba8888, clear_rgba8888, read_rgba8888, look_rgba8888, 4, 0, QV_HARDWARE};
-const qv_blend qv_hand_out_rgba8888 = {hand_out, clear_rgba8888, read_rgba8888, look_nowhere, 4,
-                                       0,        QV_HAND_OUT};
+QV_DESCRIPTOR qv_blend qv_hand_out_rgba8888 = {
+    hand_out, clear_rgba8888, read_rgba8888, look_nowhere, 4, 0, QV_HAND_OUT};
 
 /* ---- 5 and 6 bits, and 12 ------------------------------------------------- */
 
@@ -201,7 +201,6 @@ static void look_565(uint32_t *value, uint32_t *colour, const uint8_t *pixel,
 static void blend_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragment,
                       const qv_moment *moment)
 {
-    static const uint8_t full[3] = {31, 63, 31};
     uint32_t state[4], colour[3];
     (void)beside;
     if (moment->opacity == 0)
@@ -209,17 +208,19 @@ static void blend_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *fragme
     qv_states_read(state, pixel, 0, &qv_states_565);
     colours_of(colour, fragment, 0);
     for (unsigned c = 0; c < 3; c++)
-        state[c] = fx_blend_plain(state[c], narrowed(colour[c], full[c]), moment->opacity, 8);
+        state[c] =
+            fx_blend_plain(state[c], narrowed(colour[c], c == 1 ? 63 : 31), moment->opacity, 8);
     qv_states_write(pixel, 0, state, &qv_states_565);
 }
 
 static void clear_565(uint8_t *pixel, uint8_t *beside, const qv_fragment *background)
 {
-    static const uint32_t factor[3] = {FX_FACTOR_5, FX_FACTOR_6, FX_FACTOR_5};
     uint32_t state[4];
     (void)beside;
-    for (unsigned c = 0; c < 3; c++)
-        state[c] = (fx_light_narrow(background->light[c], factor[c]) + FX_ONE_Q23 / 2) >> 23;
+    for (unsigned c = 0; c < 3; c++) {
+        uint32_t factor = c == 1 ? FX_FACTOR_6 : FX_FACTOR_5;
+        state[c] = (fx_light_narrow(background->light[c], factor) + FX_ONE_Q23 / 2) >> 23;
+    }
     qv_states_write(pixel, 0, state, &qv_states_565);
 }
 
@@ -229,7 +230,8 @@ static void read_565(qv_fragment *fragment, const uint8_t *pixel, const uint8_t 
     qv_565_read(fragment, pixel);
 }
 
-const qv_blend qv_hardware_rgb565 = {blend_565, clear_565, read_565, look_565, 2, 0, QV_HARDWARE};
+QV_DESCRIPTOR qv_blend qv_hardware_rgb565 = {blend_565, clear_565, read_565,   look_565,
+                                             2,         0,         QV_HARDWARE};
 
 /* Levels with 8 fraction bits, at most 65280, to 4095, to nearest. */
 static uint32_t unorm12(uint32_t level)
@@ -281,4 +283,4 @@ static void read_12(qv_fragment *fragment, const uint8_t *pixel, const uint8_t *
         (state[3] << 20) + (state[3] << 8) + (state[3] >> 4); /* 2^32 / 4095, at most 1 low */
 }
 
-const qv_blend qv_hardware_rgba12 = {blend_12, clear_12, read_12, 0, 6, 0, QV_HARDWARE};
+QV_DESCRIPTOR qv_blend qv_hardware_rgba12 = {blend_12, clear_12, read_12, 0, 6, 0, QV_HARDWARE};

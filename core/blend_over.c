@@ -60,8 +60,8 @@ FX_INLINE void clear(uint8_t *pixel, uint8_t *beside, const qv_fragment *backgro
         qv_states_read(state, pixel, beside, &name##_states);                                      \
         qv_states_fragment(fragment, state, &name##_states);                                       \
     }                                                                                              \
-    const qv_blend qv_over_##name = {blend_##name, clear_##name, read_##name, 0,                   \
-                                     pixel_bytes,  beside_bytes, QV_OVER};
+    QV_DESCRIPTOR qv_blend qv_over_##name = {blend_##name, clear_##name, read_##name, 0,           \
+                                             pixel_bytes,  beside_bytes, QV_OVER};
 
 DEFINE_OVER(rgb888, 3, 0, QV_PLAIN, 3, 0)
 DEFINE_OVER(rgba8888, 4, 0, QV_PLAIN, 4, 0)
@@ -113,4 +113,4 @@ static void read_565(qv_fragment *fragment, const uint8_t *pixel, const uint8_t 
     qv_565_read(fragment, pixel);
 }
 
-const qv_blend qv_over_rgb565 = {blend_565, clear_565, read_565, 0, 2, 0, QV_OVER};
+QV_DESCRIPTOR qv_blend qv_over_rgb565 = {blend_565, clear_565, read_565, 0, 2, 0, QV_OVER};

@@ -66,8 +66,8 @@ FX_INLINE void read(qv_fragment *fragment, const uint8_t *pixel, const uint8_t *
     {                                                                                              \
         read(fragment, pixel, beside, &name##_states);                                             \
     }                                                                                              \
-    const qv_blend qv_under_##name = {blend_##name, clear_##name, read_##name, 0, pixel_bytes, 3,  \
-                                      QV_UNDER};
+    QV_DESCRIPTOR qv_blend qv_under_##name = {                                                     \
+        blend_##name, clear_##name, read_##name, 0, pixel_bytes, 3, QV_UNDER};
 
 DEFINE_UNDER(rgb888, 0, 3)
 DEFINE_UNDER(rgb16, 8, 6)

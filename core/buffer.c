@@ -1,34 +1,17 @@
 #include "buffer.h"
 #include "image.h"
 
-/* Rows of a rectangle's pixels, of so many bytes each, as those of an image. */
-static qv_status check_plane(void *pixels, size_t bytes, ptrdiff_t stride, unsigned pixel_bytes,
-                             const qv_rect *rect)
-{
-    const qv_format format = {0, (uint8_t)(8u * pixel_bytes), 0};
-    const qv_image image = {pixels, bytes, stride, &format};
-    const qv_progress none = {0, 0, 0, 0, 0};
-    return qv_image_check(&image, &none, rect);
-}
-
 qv_status qv_buffer_check(const qv_buffer *buffer, const qv_rect *rect)
 {
     if (!buffer || !buffer->blend)
         return QV_ERROR_NULL;
     const qv_blend *blend = buffer->blend;
-    qv_status status =
-        check_plane(buffer->pixels, buffer->bytes, buffer->stride, blend->bytes, rect);
-    if (status == QV_OK && blend->beside != 0)
-        status = check_plane(buffer->beside, buffer->beside_bytes, buffer->beside_stride,
-                             blend->beside, rect);
+    qv_status status = qv_plane_check(buffer->pixels, buffer->bytes, buffer->stride,
+                                      8u * QV_FIELD(blend, bytes), rect);
+    if (status == QV_OK && QV_FIELD(blend, beside) != 0)
+        status = qv_plane_check(buffer->beside, buffer->beside_bytes, buffer->beside_stride,
+                                8u * QV_FIELD(blend, beside), rect);
     return status;
-}
-
-/* Pixels without bytes have room anywhere. */
-qv_status qv_rect_check(const qv_rect *rect)
-{
-    uint8_t anywhere;
-    return check_plane(&anywhere, 1, 0, 0, rect);
 }
 
 /* The background, over nothing: associated, from levels with 17 fraction bits. */
@@ -49,9 +32,11 @@ qv_status qv_clear(const qv_buffer *buffer, const qv_context *context, const qv_
     qv_fragment background;
     background_of(&background, context);
     for (unsigned line = 0; line < height; line++)
-        for (unsigned column = 0; column < width; column++)
-            buffer->blend->clear(qv_buffer_pixel(buffer, column, line),
-                                 qv_buffer_beside(buffer, column, line), &background);
+        for (unsigned column = 0; column < width; column++) {
+            uint8_t *pixel = qv_buffer_pixel(buffer, column, line);
+            uint8_t *beside = qv_buffer_beside(buffer, column, line);
+            QV_FIELD(buffer->blend, clear)(pixel, beside, &background);
+        }
     return QV_OK;
 }
 
@@ -61,7 +46,8 @@ qv_status qv_combine(const qv_buffer *behind, const qv_buffer *front, const qv_d
     qv_moment of_slice;
     qv_status status = qv_buffer_check(behind, rect);
     if (status == QV_OK)
-        status = behind->blend->kind == QV_UNDER ? QV_ERROR_BUFFER : qv_buffer_check(front, rect);
+        status = QV_FIELD(behind->blend, kind) == QV_UNDER ? QV_ERROR_BUFFER
+                                                           : qv_buffer_check(front, rect);
     if (status == QV_OK)
         status = dither ? QV_OK : QV_ERROR_NULL;
     if (status != QV_OK)

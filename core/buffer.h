@@ -10,30 +10,28 @@
    _BUFFER. */
 qv_status qv_buffer_check(const qv_buffer *buffer, const qv_rect *rect);
 
-/* Whether a rectangle has pixels and lies within +-QV_PIXEL_MAX. QV_OK, QV_ERROR_NULL, _RECT. */
-qv_status qv_rect_check(const qv_rect *rect);
-
 /* The pixel of a column and line of a rectangle, and what lies beside it. */
 static inline uint8_t *qv_buffer_pixel(const qv_buffer *buffer, unsigned column, unsigned line)
 {
     uint8_t *row = (uint8_t *)buffer->pixels + (ptrdiff_t)line * buffer->stride;
-    return row + (size_t)column * buffer->blend->bytes;
+    return row + (size_t)column * QV_FIELD(buffer->blend, bytes);
 }
 
 static inline uint8_t *qv_buffer_beside(const qv_buffer *buffer, unsigned column, unsigned line)
 {
-    if (buffer->blend->beside == 0)
+    if (QV_FIELD(buffer->blend, beside) == 0)
         return 0;
     uint8_t *row = (uint8_t *)buffer->beside + (ptrdiff_t)line * buffer->beside_stride;
-    return row + (size_t)column * buffer->blend->beside;
+    return row + (size_t)column * QV_FIELD(buffer->blend, beside);
 }
 
 /* What a pixel of a buffer shows. */
 static inline void qv_buffer_read(qv_fragment *fragment, const qv_buffer *buffer, unsigned column,
                                   unsigned line)
 {
-    buffer->blend->read(fragment, qv_buffer_pixel(buffer, column, line),
-                        qv_buffer_beside(buffer, column, line));
+    const uint8_t *pixel = qv_buffer_pixel(buffer, column, line);
+    const uint8_t *beside = qv_buffer_beside(buffer, column, line);
+    QV_FIELD(buffer->blend, read)(fragment, pixel, beside);
 }
 
 /* ---- Rows ------------------------------------------------------------------- */
@@ -51,7 +49,7 @@ static inline qv_place qv_place_of(const qv_buffer *buffer, const qv_moment *sli
     uint32_t shift = qv_dither_shift(slice->spread, rect->left, rect->top + (int32_t)line);
     qv_place place = {qv_buffer_pixel(buffer, 0, line), qv_buffer_beside(buffer, 0, line),
                       slice->u + shift};
-    if (buffer->blend->beside == 0)
+    if (QV_FIELD(buffer->blend, beside) == 0)
         place.beside = place.pixel;
     return place;
 }
@@ -59,8 +57,8 @@ static inline qv_place qv_place_of(const qv_buffer *buffer, const qv_moment *sli
 /* To the right, where dither values are more by a step. */
 static inline void qv_place_next(qv_place *place, const qv_blend *blend, uint32_t step)
 {
-    place->pixel += blend->bytes;
-    place->beside += blend->beside;
+    place->pixel += QV_FIELD(blend, bytes);
+    place->beside += QV_FIELD(blend, beside);
     place->u += step;
 }
 
@@ -72,7 +70,7 @@ static inline void qv_place_blend(const qv_place *place, const qv_blend *blend,
     qv_moment_at(moment, slice, place->u);
     if (slice->technique)
         qv_moment_opacity(moment, blend, place->pixel, fragment);
-    blend->blend(place->pixel, place->beside, fragment, moment);
+    QV_FIELD(blend, blend)(place->pixel, place->beside, fragment, moment);
 }
 
 #endif /* QV_BUFFER_H */

@@ -55,8 +55,8 @@ qv_status qv_camera_check(const qv_camera *camera)
 {
     if (!camera->projection)
         return QV_ERROR_NULL;
-    int in_range = qv_within(camera->origin, QV_MOST_ORIGIN) &&
-                   qv_within(camera->across, QV_MOST_PITCH) &&
-                   qv_within(camera->down, QV_MOST_PITCH) && camera->projection->in_range(camera);
+    int in_range =
+        qv_within(camera->origin, QV_MOST_ORIGIN) && qv_within(camera->across, QV_MOST_PITCH) &&
+        qv_within(camera->down, QV_MOST_PITCH) && QV_FIELD(camera->projection, in_range)(camera);
     return in_range && independent(camera) ? QV_OK : QV_ERROR_CAMERA;
 }

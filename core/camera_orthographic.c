@@ -45,4 +45,4 @@ static int in_range(const qv_camera *camera)
            qv_largest(camera->along) >= QV_VOXEL >> 9;
 }
 
-const qv_projection qv_projection_orthographic = {qv_ray_orthographic, in_range};
+QV_DESCRIPTOR qv_projection qv_projection_orthographic = {qv_ray_orthographic, in_range};

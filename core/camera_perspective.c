@@ -131,4 +131,4 @@ static int in_range(const qv_camera *camera)
     return qv_within(camera->along, MOST_ALONG);
 }
 
-const qv_projection qv_projection_perspective = {qv_ray_perspective, in_range};
+QV_DESCRIPTOR qv_projection qv_projection_perspective = {qv_ray_perspective, in_range};

@@ -39,7 +39,7 @@ static uint32_t rounded(const qv_moment *moment, uint32_t level, uint32_t value,
     return fx_alpha_rounded(level);
 }
 
-const qv_technique qv_technique_rounded = {rounded, 0, 0};
+QV_DESCRIPTOR qv_technique qv_technique_rounded = {rounded, 0, 0};
 
 static uint32_t random(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
@@ -48,7 +48,7 @@ static uint32_t random(const qv_moment *moment, uint32_t level, uint32_t value, 
     return fx_alpha_random(&moment->alpha, level, moment->u);
 }
 
-const qv_technique qv_technique_random = {random, 0, 1};
+QV_DESCRIPTOR qv_technique qv_technique_random = {random, 0, 1};
 
 static uint32_t ordered(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
@@ -57,7 +57,7 @@ static uint32_t ordered(const qv_moment *moment, uint32_t level, uint32_t value,
     return fx_alpha_ordered(&moment->alpha, level, moment->phase);
 }
 
-const qv_technique qv_technique_ordered = {ordered, 0, 1};
+QV_DESCRIPTOR qv_technique qv_technique_ordered = {ordered, 0, 1};
 
 /* Bumps are made for colour 255: what counts is how far the value is from the colour. */
 static uint32_t value_for_255(uint32_t value, uint32_t colour)
@@ -70,7 +70,7 @@ static uint32_t bumped(const qv_moment *moment, uint32_t level, uint32_t value, 
     return fx_alpha_bumped(&moment->alpha, level, moment->phase, value_for_255(value, colour));
 }
 
-const qv_technique qv_technique_bumped = {bumped, 1, 1};
+QV_DESCRIPTOR qv_technique qv_technique_bumped = {bumped, 1, 1};
 
 static uint32_t bumped_random(const qv_moment *moment, uint32_t level, uint32_t value,
                               uint32_t colour)
@@ -78,14 +78,14 @@ static uint32_t bumped_random(const qv_moment *moment, uint32_t level, uint32_t 
     return fx_alpha_bumped_random(&moment->alpha, level, moment->u, value_for_255(value, colour));
 }
 
-const qv_technique qv_technique_bumped_random = {bumped_random, 1, 1};
+QV_DESCRIPTOR qv_technique qv_technique_bumped_random = {bumped_random, 1, 1};
 
 static uint32_t corrected(const qv_moment *moment, uint32_t level, uint32_t value, uint32_t colour)
 {
     return fx_alpha_corrected(level, colour, value, moment->u);
 }
 
-const qv_technique qv_technique_corrected = {corrected, 1, 0};
+QV_DESCRIPTOR qv_technique qv_technique_corrected = {corrected, 1, 0};
 
 void qv_moment_opacity(qv_moment *moment, const qv_blend *blend, const uint8_t *pixel,
                        const qv_fragment *fragment)
@@ -93,9 +93,9 @@ void qv_moment_opacity(qv_moment *moment, const qv_blend *blend, const uint8_t *
     /* 2^32 - 1 is 255 * 65536 */
     uint32_t level = fx_high_product(fragment->opacity, (uint32_t)255 << 16);
     uint32_t value = 0, colour = 255;
-    if (moment->technique->by_value)
-        blend->look(&value, &colour, pixel, fragment);
-    moment->opacity = moment->technique->opacity(moment, level, value, colour);
+    if (QV_FIELD(moment->technique, by_value))
+        QV_FIELD(blend, look)(&value, &colour, pixel, fragment);
+    moment->opacity = QV_FIELD(moment->technique, opacity)(moment, level, value, colour);
 }
 
 /* ---- Moments -------------------------------------------------------------- */
@@ -129,7 +129,7 @@ static void set_pattern(qv_moment *moment, const qv_dither *dither, uint32_t num
     const fx_alpha none = {{0, 0}, {0, 0}, 0};
     moment->alpha = none;
     moment->phase = 0;
-    if (moment->technique && moment->technique->by_period) {
+    if (moment->technique && QV_FIELD(moment->technique, by_period)) {
         (void)qv_alpha_of(&moment->alpha, dither);
         moment->phase = fx_phase(&moment->alpha.period, number + dither->frame);
     }
@@ -140,14 +140,14 @@ qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blen
 {
     if (!dither)
         return QV_ERROR_NULL;
-    const qv_technique *technique = blend->look ? dither->technique : 0;
-    if (!dither->sequence || (blend->look && !technique))
+    const qv_technique *technique = QV_FIELD(blend, look) ? dither->technique : 0;
+    if (!dither->sequence || (QV_FIELD(blend, look) && !technique))
         return QV_ERROR_DITHER;
-    if (technique && technique->by_period && !in_range(dither))
+    if (technique && QV_FIELD(technique, by_period) && !in_range(dither))
         return QV_ERROR_DITHER;
     if (slice < -QV_GRID_LIMIT || slice >= QV_GRID_LIMIT)
         return QV_ERROR_SLICE;
-    uint32_t number = qv_slice_number(slice, blend->kind == QV_UNDER);
+    uint32_t number = qv_slice_number(slice, QV_FIELD(blend, kind) == QV_UNDER);
     int rounds = dither->sequence == qv_sequence_rounded;
     moment->technique = technique;
     moment->spread = !dither->still && (technique || !rounds);

@@ -4,4 +4,4 @@
 
 /* Extinction is Q8.24. Opacities of 8 bits widen to 16 exactly, so they need no table of
    their own. */
-const qv_domain qv_domain_extinction = {fx_extinction_of_unorm16, fx_opacity16, 1};
+QV_DESCRIPTOR qv_domain qv_domain_extinction = {fx_extinction_of_unorm16, fx_opacity16, 1};

@@ -10,4 +10,4 @@ static uint16_t channel(uint32_t weight_of_mean)
     return (uint16_t)weight_of_mean;
 }
 
-const qv_domain qv_domain_stored = {weight, channel, 0};
+QV_DESCRIPTOR qv_domain qv_domain_stored = {weight, channel, 0};

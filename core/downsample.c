@@ -4,9 +4,9 @@
 #include "cell.h"
 #include "entry.h"
 
-const qv_filter qv_filter_box2 = {0, 32};
-const qv_filter qv_filter_box4 = {16, 16};
-const qv_filter qv_filter_quad4 = {13, 19};
+QV_DESCRIPTOR qv_filter qv_filter_box2 = {0, 32};
+QV_DESCRIPTOR qv_filter qv_filter_box4 = {16, 16};
+QV_DESCRIPTOR qv_filter qv_filter_quad4 = {13, 19};
 
 /* A filter's taps sum to 64 on an axis, and so to 2^18 over the three. */
 #define TAPS        4u
@@ -61,7 +61,7 @@ static void add_voxel(sums *to, const row *r, qv_offset offset)
     qv_entry_read(entry, qv_entry(voxel, finer, finer->storage), finer->storage);
     if (entry[3] == 0)
         return;
-    uint32_t weight = r->domain->weight(entry[3]);
+    uint32_t weight = QV_FIELD(r->domain, weight)(entry[3]);
     to->weight += weight;
     for (unsigned c = 0; c < 3; c++)
         to->light[c] += fx_wide_product(weight, entry[c]);
@@ -109,7 +109,7 @@ static void sum_column(sums *to, const row *r, uint32_t at, uint32_t tap)
 static void resolve(fx_unorm16 entry[4], const sums *all, const qv_domain *domain)
 {
     uint64_t half = (uint64_t)1 << (FILTER_BITS - 1u);
-    entry[3] = domain->channel((uint32_t)((all->weight + half) >> FILTER_BITS));
+    entry[3] = QV_FIELD(domain, channel)((uint32_t)((all->weight + half) >> FILTER_BITS));
     for (unsigned c = 0; c < 3; c++)
         entry[c] = all->weight == 0 ? 0 : fx_quotient16(all->light[c], all->weight);
 }
@@ -138,7 +138,7 @@ static void make_row(uint8_t *out, const row *r)
 
 static void set_filter(row *r, const qv_filter *filter)
 {
-    uint32_t outer = filter->outer, inner = filter->inner;
+    uint32_t outer = QV_FIELD(filter, outer), inner = QV_FIELD(filter, inner);
     r->tap[0] = r->tap[3] = outer;
     r->tap[1] = r->tap[2] = inner;
     r->share[0] = outer * outer;
@@ -161,11 +161,12 @@ static qv_status check(const qv_volume *finer, const qv_filter *filter, const qv
     qv_status status = qv_volume_check(&volume);
     if (status != QV_OK)
         return status;
-    if (domain->of_opacity && qv_storage_extinction(finer->storage))
+    if (QV_FIELD(domain, of_opacity) && qv_storage_extinction(finer->storage))
         return QV_ERROR_STORAGE;
     if (qv_pyramid_levels(finer->size) == 0)
         return QV_ERROR_LEVEL;
-    return filter->outer + filter->inner == HALF_FILTER ? QV_OK : QV_ERROR_MIXTURE;
+    return QV_FIELD(filter, outer) + QV_FIELD(filter, inner) == HALF_FILTER ? QV_OK
+                                                                            : QV_ERROR_MIXTURE;
 }
 
 qv_status qv_downsample(void *voxels, size_t bytes, const qv_volume *finer, const qv_filter *filter,

@@ -14,7 +14,7 @@
 void qv_footprint_of(qv_footprint *footprint, const qv_kernel *kernel, int64_t centre,
                      uint32_t size)
 {
-    uint32_t half = size / 2u * kernel->halves; /* 2^10 .. 3 * 2^27 */
+    uint32_t half = size / 2u * QV_FIELD(kernel, halves); /* 2^10 .. 3 * 2^27 */
     footprint->kernel = kernel;
     footprint->centre = centre;
     footprint->size = size;
@@ -51,9 +51,9 @@ static uint32_t integral(const qv_kernel *kernel, uint32_t part)
     uint32_t entry = part >> 16, place = part & 0xFFFFu;
     if (entry >= QV_KERNEL_PARTS)
         return HALF;
-    uint32_t lower = fx_table16(kernel->integral + entry);
-    uint32_t upper = fx_table16(kernel->integral + entry + 1u);
-    uint32_t bend = 2u * upper - lower - fx_table16(kernel->integral + entry + 2u);
+    const uint16_t *at = QV_FIELD(kernel, integral) + entry;
+    uint32_t lower = fx_table16(at), upper = fx_table16(at + 1);
+    uint32_t bend = 2u * upper - lower - fx_table16(at + 2);
     uint32_t lack = place * (65536u - place) >> 17;               /* <= 2^13 */
     return (lower << 16) + (upper - lower) * place + bend * lack; /* <= 2^31 */
 }

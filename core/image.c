@@ -1,17 +1,23 @@
 #include "image.h"
 
-uint32_t qv_row_bytes(const qv_format *format, uint16_t width)
+#include "fx_inline.h"
+
+/* What follows dissolves into the check of images, the only one that rays link. */
+
+FX_INLINE uint32_t row_bytes(uint16_t width, unsigned bits)
 {
-    return ((uint32_t)width * format->bits + 7u) >> 3; /* 2^16 pixels of 96 bits: below 2^20 */
+    return ((uint32_t)width * bits + 7u) >> 3; /* 2^16 pixels of 128 bits: below 2^21 */
 }
 
-/* Whether rows of the rectangle fit into the image's memory, side by side. */
-static qv_status check_buffer(const qv_image *image, uint16_t width, uint16_t height)
+uint32_t qv_row_bytes(const qv_format *format, uint16_t width)
 {
-    uint32_t row = qv_row_bytes(image->format, width);
-    size_t bytes = image->bytes;
-    size_t stride = image->stride < 0 ? (size_t)0 - (size_t)image->stride : (size_t)image->stride;
-    unsigned gaps = (height - 1u) >> image->format->line_shift; /* rows of bytes less one */
+    return row_bytes(width, QV_FIELD(format, bits));
+}
+
+/* Whether rows of bytes fit into their memory, side by side: one, and so many below it. */
+FX_INLINE qv_status check_rows(size_t bytes, ptrdiff_t row_stride, uint32_t row, unsigned gaps)
+{
+    size_t stride = row_stride < 0 ? (size_t)0 - (size_t)row_stride : (size_t)row_stride;
     if (bytes < row || (gaps != 0 && stride < row))
         return QV_ERROR_BUFFER;
     for (bytes -= (size_t)row; gaps != 0; gaps--) {
@@ -22,17 +28,47 @@ static qv_status check_buffer(const qv_image *image, uint16_t width, uint16_t he
     return QV_OK;
 }
 
+FX_INLINE uint16_t width_of(const qv_rect *rect)
+{
+    return (uint16_t)(rect->right - rect->left); /* <= 2 QV_PIXEL_MAX < 2^16 */
+}
+
+FX_INLINE uint16_t height_of(const qv_rect *rect)
+{
+    return (uint16_t)(rect->bottom - rect->top);
+}
+
+FX_INLINE int in_range(const qv_rect *rect)
+{
+    return rect->left >= -QV_PIXEL_MAX && rect->left < rect->right && rect->right <= QV_PIXEL_MAX &&
+           rect->top >= -QV_PIXEL_MAX && rect->top < rect->bottom && rect->bottom <= QV_PIXEL_MAX;
+}
+
+qv_status qv_rect_check(const qv_rect *rect)
+{
+    if (!rect)
+        return QV_ERROR_NULL;
+    return in_range(rect) ? QV_OK : QV_ERROR_RECT;
+}
+
+qv_status qv_plane_check(const void *pixels, size_t bytes, ptrdiff_t stride, unsigned bits,
+                         const qv_rect *rect)
+{
+    qv_status status = pixels ? qv_rect_check(rect) : QV_ERROR_NULL;
+    if (status != QV_OK)
+        return status;
+    return check_rows(bytes, stride, row_bytes(width_of(rect), bits), height_of(rect) - 1u);
+}
+
 qv_status qv_image_check(const qv_image *image, const qv_progress *progress, const qv_rect *rect)
 {
     if (!image || !progress || !rect || !image->pixels || !image->format)
         return QV_ERROR_NULL;
-    if (rect->left < -QV_PIXEL_MAX || rect->left >= rect->right || rect->right > QV_PIXEL_MAX)
+    if (!in_range(rect))
         return QV_ERROR_RECT;
-    if (rect->top < -QV_PIXEL_MAX || rect->top >= rect->bottom || rect->bottom > QV_PIXEL_MAX)
-        return QV_ERROR_RECT;
-    uint16_t width = (uint16_t)(rect->right - rect->left); /* <= 2 QV_PIXEL_MAX < 2^16 */
-    uint16_t height = (uint16_t)(rect->bottom - rect->top);
+    uint16_t width = width_of(rect), height = height_of(rect);
     if (progress->line > height || progress->column >= width)
         return QV_ERROR_RECT;
-    return check_buffer(image, width, height);
+    unsigned gaps = (height - 1u) >> QV_FIELD(image->format, line_shift);
+    return check_rows(image->bytes, image->stride, qv_row_bytes(image->format, width), gaps);
 }

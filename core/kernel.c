@@ -29,5 +29,5 @@ FX_TABLE uint16_t quadratic[QV_KERNEL_PARTS + 2] = {
 
 /* clang-format on */
 
-const qv_kernel qv_kernel_linear = {linear, 2};
-const qv_kernel qv_kernel_quadratic = {quadratic, 3};
+QV_DESCRIPTOR qv_kernel qv_kernel_linear = {linear, 2};
+QV_DESCRIPTOR qv_kernel qv_kernel_quadratic = {quadratic, 3};

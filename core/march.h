@@ -93,9 +93,9 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
     {                                                                                              \
         qv_march_back(light, ray, context, storage, qv_sample_##mode);                             \
     }                                                                                              \
-    const qv_sampling qv_##mode##_##suffix = {qv_prepare_steps, march_##suffix, read_out, storage, \
-                                              0};                                                  \
-    const qv_sampling qv_##mode##_##suffix##_back_to_front = {                                     \
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {qv_prepare_steps, march_##suffix, read_out,  \
+                                                      storage, 0};                                 \
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_back_to_front = {                             \
         qv_prepare_steps, march_back_##suffix, read_out, storage, 0};
 
 #define QV_DEFINE_SAMPLINGS(mode)                                                                  \

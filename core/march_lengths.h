@@ -112,9 +112,9 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     {                                                                                              \
         qv_march_lengths_back(light, ray, context, storage, family);                               \
     }                                                                                              \
-    const qv_sampling qv_##mode##_##suffix = {qv_prepare_##kind, march_##suffix, read_out,         \
-                                              storage, 1};                                         \
-    const qv_sampling qv_##mode##_##suffix##_back_to_front = {                                     \
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {qv_prepare_##kind, march_##suffix, read_out, \
+                                                      storage, 1};                                 \
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_back_to_front = {                             \
         qv_prepare_##kind, march_back_##suffix, read_out, storage, 1};
 
 /* DEFINE for each storage of opacity-based modes: those that hold opacity. */

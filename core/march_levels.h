@@ -106,7 +106,7 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
     {                                                                                              \
         qv_march_levels(light, ray, context, storage, family);                                     \
     }                                                                                              \
-    const qv_sampling qv_##mode##_##suffix##_levels = {prepare_##suffix, march_##suffix, read_out, \
-                                                       storage, 1};
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_levels = {prepare_##suffix, march_##suffix,   \
+                                                               read_out, storage, 1};
 
 #endif /* QV_MARCH_LEVELS_H */

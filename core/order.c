@@ -18,6 +18,6 @@ qv_status qv_order_position(uint16_t position[3], const qv_order *order, const u
         return QV_ERROR_NULL;
     if (!qv_box_valid(size) || index >= qv_box_voxels(size))
         return QV_ERROR_SIZE;
-    order->position(position, size, index);
+    QV_FIELD(order, position)(position, size, index);
     return QV_OK;
 }

@@ -33,4 +33,4 @@ static void hilbert_position(uint16_t position[3], const uint16_t size[3], uint6
     qv_curve_position(position, size, index, hilbert);
 }
 
-const qv_order qv_order_hilbert = {hilbert_index, hilbert_position};
+QV_DESCRIPTOR qv_order qv_order_hilbert = {hilbert_index, hilbert_position};

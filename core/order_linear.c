@@ -19,4 +19,4 @@ static void linear_position(uint16_t position[3], const uint16_t size[3], uint64
     position[2] = (uint16_t)z;
 }
 
-const qv_order qv_order_linear = {linear_index, linear_position};
+QV_DESCRIPTOR qv_order qv_order_linear = {linear_index, linear_position};

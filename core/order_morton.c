@@ -10,4 +10,4 @@ static void morton_position(uint16_t position[3], const uint16_t size[3], uint64
     qv_curve_position(position, size, index, NULL);
 }
 
-const qv_order qv_order_morton = {morton_index, morton_position};
+QV_DESCRIPTOR qv_order qv_order_morton = {morton_index, morton_position};

@@ -117,12 +117,12 @@ static void store_mono_vertical(uint8_t *row, uint32_t column, uint32_t line, co
     store_bits(row + column, 1u, line & 7u, dithered(grey(pixel), 1, threshold(pixel)));
 }
 
-const qv_format qv_format_rgba8888 = {store_rgba8888, 32, 0};
-const qv_format qv_format_bgra8888 = {store_bgra8888, 32, 0};
-const qv_format qv_format_rgb888 = {store_rgb888, 24, 0};
-const qv_format qv_format_rgb565_le = {store_rgb565_le, 16, 0};
-const qv_format qv_format_rgb565_be = {store_rgb565_be, 16, 0};
-const qv_format qv_format_l8 = {store_l8, 8, 0};
-const qv_format qv_format_grey4 = {store_grey4, 4, 0};
-const qv_format qv_format_mono_horizontal = {store_mono_horizontal, 1, 0};
-const qv_format qv_format_mono_vertical = {store_mono_vertical, 8, 3};
+QV_DESCRIPTOR qv_format qv_format_rgba8888 = {store_rgba8888, 32, 0};
+QV_DESCRIPTOR qv_format qv_format_bgra8888 = {store_bgra8888, 32, 0};
+QV_DESCRIPTOR qv_format qv_format_rgb888 = {store_rgb888, 24, 0};
+QV_DESCRIPTOR qv_format qv_format_rgb565_le = {store_rgb565_le, 16, 0};
+QV_DESCRIPTOR qv_format qv_format_rgb565_be = {store_rgb565_be, 16, 0};
+QV_DESCRIPTOR qv_format qv_format_l8 = {store_l8, 8, 0};
+QV_DESCRIPTOR qv_format qv_format_grey4 = {store_grey4, 4, 0};
+QV_DESCRIPTOR qv_format qv_format_mono_horizontal = {store_mono_horizontal, 1, 0};
+QV_DESCRIPTOR qv_format qv_format_mono_vertical = {store_mono_vertical, 8, 3};

@@ -89,6 +89,19 @@ typedef const unsigned char *qv_address;
 typedef ptrdiff_t qv_offset;
 #endif
 
+/*
+ * What a definition of one of the library's constants begins with, and a field of it: modes,
+ * formats, projections, blends, filters and whatever else is declared `extern const` below. A
+ * QV_MEMORY_HEADER that defines both, as that of the AVR does, keeps them in program memory;
+ * tables lie there by FX_TABLE_HEADER. Callers name constants by their address as anywhere
+ * (.sampling = &qv_weighted_indexed8) and do not look into them; one of their own, such as a
+ * qv_filter, they define by QV_DESCRIPTOR. A macro, since no function returns fields of any type.
+ */
+#ifndef QV_DESCRIPTOR
+#define QV_DESCRIPTOR               const
+#define QV_FIELD(descriptor, field) ((descriptor)->field)
+#endif
+
 /* ---- Status ------------------------------------------------------------- */
 
 typedef enum qv_status {
@@ -121,7 +134,8 @@ typedef enum qv_status {
     QV_ERROR_OVERLAP = -25      /* memory that is written is also read */
 } qv_status;
 
-/* One line of English for a status, never null; also for values not listed. */
+/* One line of English for a status, never null; also for values not listed. Like that of
+   qv_version, the text lies where tables do: on an AVR in program memory, for pgm_read_byte. */
 const char *qv_status_text(qv_status status);
 
 /* The version of the library that is linked, QV_VERSION at its build. */

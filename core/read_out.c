@@ -35,15 +35,15 @@ qv_status qv_read_out(const qv_image *image, const qv_buffer *buffer, const qv_c
     unsigned width = (unsigned)(rect->right - rect->left);
     unsigned height = (unsigned)(rect->bottom - rect->top);
     for (unsigned line = 0; line < height; line++) {
-        ptrdiff_t offset = (ptrdiff_t)(line >> image->format->line_shift) * image->stride;
+        ptrdiff_t offset = (ptrdiff_t)(line >> QV_FIELD(image->format, line_shift)) * image->stride;
         for (unsigned column = 0; column < width; column++) {
             qv_fragment fragment;
             qv_pixel pixel;
             qv_buffer_read(&fragment, buffer, column, line);
-            finish(&pixel, &fragment, context, buffer->blend->kind == QV_UNDER);
+            finish(&pixel, &fragment, context, QV_FIELD(buffer->blend, kind) == QV_UNDER);
             pixel.x = (uint32_t)rect->left + column;
             pixel.y = (uint32_t)rect->top + line;
-            image->format->store((uint8_t *)image->pixels + offset, column, line, &pixel);
+            QV_FIELD(image->format, store)((uint8_t *)image->pixels + offset, column, line, &pixel);
         }
     }
     return QV_OK;

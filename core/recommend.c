@@ -9,25 +9,15 @@
 /* What a channel holds, in the table's order: bits, or 8-bit levels with fraction bits. */
 typedef enum { STATE_5, STATE_6, STATE_8, STATE_8_4, STATE_8_8, STATE_8_16, STATES } state;
 
+FX_TABLE uint16_t bits_of[STATES] = {5, 6, 8, 12, 16, 24};
+
 /* The states of frame buffers of 8 bits are levels with their residual as a fraction. */
 static state state_of(uint8_t bits, uint8_t residual_bits)
 {
-    switch (bits == 8 ? bits + residual_bits : bits) {
-    case 5:
-        return STATE_5;
-    case 6:
-        return STATE_6;
-    case 8:
-        return STATE_8;
-    case 12:
-        return STATE_8_4;
-    case 16:
-        return STATE_8_8;
-    case 24:
-        return STATE_8_16;
-    default:
-        return STATES;
-    }
+    unsigned all = bits == 8 ? (unsigned)bits + residual_bits : bits, of = STATE_5;
+    while (of < STATES && fx_table16(&bits_of[of]) != all)
+        of++;
+    return (state)of;
 }
 
 /* Row 0, and one more from 1 level on, from 4, 16 ... */

@@ -11,8 +11,9 @@ static void finish(qv_pixel *pixel, const qv_light *light, const qv_context *con
     /* background[3] <= 2 * QV_LEVEL_ONE, so no more is added than was taken away */
     uint32_t opacity = covered + fx_high_product(transmittance, context->background[3]);
     for (unsigned c = 0; c < 3; c++) {
-        uint32_t level = fx_high_product(light->colour[c], context->scene.sampling->read_out) +
-                         fx_high_product(transmittance, context->background[c]);
+        uint32_t level =
+            fx_high_product(light->colour[c], QV_FIELD(context->scene.sampling, read_out)) +
+            fx_high_product(transmittance, context->background[c]);
         pixel->channel[c] = level < opacity ? level : opacity;
     }
     pixel->channel[3] = opacity;
@@ -23,8 +24,8 @@ static void render_pixel(qv_pixel *pixel, qv_progress *progress, const qv_contex
 {
     qv_ray ray;
     qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
-    if (context->scene.camera.projection->ray(&ray, context, x, y)) {
-        context->scene.sampling->march(&light, &ray, context);
+    if (QV_FIELD(context->scene.camera.projection, ray)(&ray, context, x, y)) {
+        QV_FIELD(context->scene.sampling, march)(&light, &ray, context);
         progress->samples += ray.all - ray.samples; /* those that were taken */
     }
     progress->skipped += light.skipped;
@@ -38,11 +39,11 @@ static void render_next(const qv_image *image, qv_progress *progress, const qv_c
                         const qv_rect *rect)
 {
     unsigned column = progress->column, line = progress->line;
-    ptrdiff_t offset = (ptrdiff_t)(line >> image->format->line_shift) * image->stride;
+    ptrdiff_t offset = (ptrdiff_t)(line >> QV_FIELD(image->format, line_shift)) * image->stride;
     qv_pixel pixel;
     render_pixel(&pixel, progress, context, rect->left + (int32_t)column,
                  rect->top + (int32_t)line);
-    image->format->store((uint8_t *)image->pixels + offset, column, line, &pixel);
+    QV_FIELD(image->format, store)((uint8_t *)image->pixels + offset, column, line, &pixel);
 }
 
 qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_context *context,

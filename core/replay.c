@@ -64,7 +64,8 @@ static levels replayed(const levels *behind, const levels *front, const levels *
 static qv_status check(const qv_buffer *buffer, const qv_rect *rect)
 {
     qv_status status = qv_buffer_check(buffer, rect);
-    if (status == QV_OK && (buffer->blend->kind != QV_HARDWARE || buffer->blend->bytes != 4))
+    if (status == QV_OK &&
+        (QV_FIELD(buffer->blend, kind) != QV_HARDWARE || QV_FIELD(buffer->blend, bytes) != 4))
         status = QV_ERROR_BUFFER;
     return status;
 }

@@ -25,7 +25,7 @@ static qv_status check_scene(const qv_scene *scene)
         return status;
     if (!scene->sampling)
         return QV_ERROR_NULL;
-    if (scene->sampling->storage != scene->volume.storage)
+    if (QV_FIELD(scene->sampling, storage) != scene->volume.storage)
         return QV_ERROR_STORAGE;
     if (scene->camera.step == 0)
         return QV_ERROR_STEP;
@@ -38,7 +38,7 @@ qv_status qv_init(qv_context *context, const qv_scene *scene)
         return QV_ERROR_NULL;
     qv_status status = check_scene(scene);
     if (status == QV_OK)
-        status = scene->sampling->prepare(context, scene);
+        status = QV_FIELD(scene->sampling, prepare)(context, scene);
     if (status != QV_OK)
         return status;
     const uint8_t *background = scene->background;

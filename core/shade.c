@@ -12,7 +12,14 @@
    square of half of it, on integers in Q2.30. */
 #define LEAST_HALF_SQUARE ((uint64_t)1 << (2 * (30 - 9)))
 
-static const uint64_t ISOTROPIC[3] = {1, 1, 1};
+/* The unit vector along v. */
+static void normalise(int32_t unit[3], const int32_t v[3])
+{
+    uint64_t scale[3];
+    for (unsigned axis = 0; axis < 3; axis++)
+        scale[axis] = 1;
+    qv_unit_vector(unit, v, scale);
+}
 
 /* Returns 0 for the zero vector. */
 static int direction(int32_t unit[3], const int16_t v[3])
@@ -20,7 +27,7 @@ static int direction(int32_t unit[3], const int16_t v[3])
     const int32_t wide[3] = {v[0], v[1], v[2]};
     if (v[0] == 0 && v[1] == 0 && v[2] == 0)
         return 0;
-    qv_unit_vector(unit, wide, ISOTROPIC);
+    normalise(unit, wide);
     return 1;
 }
 
@@ -36,7 +43,7 @@ static int halfway(int32_t half[3], const int32_t light[3], const int32_t viewer
     }
     if (square < LEAST_HALF_SQUARE)
         return 0;
-    qv_unit_vector(half, mean, ISOTROPIC);
+    normalise(half, mean);
     return 1;
 }
 

@@ -79,7 +79,7 @@ uint32_t qv_splats_reach(const qv_splats *splats, unsigned axis)
     uint32_t widest = fx_scaled_fixed(width, 16, QV_MOST_WIDTH);
     uint32_t coarse = scene->coarsest > scene->level ? (uint32_t)scene->detail << 8 : 0;
     uint32_t frame = (uint32_t)(axis == 0 ? scene->view.width : scene->view.height) << 16;
-    return frame + scene->kernel->halves * (coarse > widest ? coarse : widest);
+    return frame + QV_FIELD(scene->kernel, halves) * (coarse > widest ? coarse : widest);
 }
 
 /* Width and height in pixels; 0 where they are out of range. */

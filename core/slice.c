@@ -1,5 +1,6 @@
 #include "buffer.h"
 #include "composite.h"
+#include "image.h"
 #include "stretch.h"
 
 /* ---- The ray of one slice --------------------------------------------------- */
@@ -26,9 +27,9 @@ static int next_ray(qv_ray *ray, const qv_context *context, int32_t x, int32_t y
         qv_ray_right(ray, camera);
         return 1;
     }
-    if (!camera->projection->ray(ray, context, x, y))
+    if (!QV_FIELD(camera->projection, ray)(ray, context, x, y))
         return 0;
-    if (!context->scene.sampling->by_length)
+    if (!QV_FIELD(context->scene.sampling, by_length))
         qv_ray_count_from(ray, slice);
     return 1;
 }
@@ -40,15 +41,16 @@ static int see(qv_fragment *fragment, const qv_context *context, const qv_ray *o
     const qv_sampling *sampling = context->scene.sampling;
     qv_ray ray = *of_pixel;
     qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
-    int placed =
-        sampling->by_length ? place_stretch(&ray, context, slice) : qv_ray_hold(&ray, context);
+    int placed = QV_FIELD(sampling, by_length) ? place_stretch(&ray, context, slice)
+                                               : qv_ray_hold(&ray, context);
     if (!placed)
         return 0;
-    sampling->march(&light, &ray, context);
+    QV_FIELD(sampling, march)(&light, &ray, context);
     if (light.transmittance == QV_CLEAR)
         return 0;
     for (unsigned c = 0; c < 3; c++) /* colours stay below 2^31 + 2^22 */
-        fragment->light[c] = fx_light_of(light.colour[c], QV_LIGHT_OF(sampling->read_out));
+        fragment->light[c] =
+            fx_light_of(light.colour[c], QV_LIGHT_OF(QV_FIELD(sampling, read_out)));
     fragment->opacity =
         light.transmittance == 0 ? 0xFFFFFFFFu : (QV_CLEAR - light.transmittance) << 1;
     return 1;
@@ -58,7 +60,7 @@ static int see(qv_fragment *fragment, const qv_context *context, const qv_ray *o
 static int closed(const qv_place *place, const qv_blend *blend, const qv_context *context)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 8; /* Q0.16 to Q0.24 */
-    return blend->kind == QV_UNDER && qv_bytes_read(place->beside, 3) <= enough;
+    return QV_FIELD(blend, kind) == QV_UNDER && qv_bytes_read(place->beside, 3) <= enough;
 }
 
 qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_context *context,
@@ -80,7 +82,8 @@ qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_co
             qv_fragment fragment = {{0, 0, 0}, 0};
             int hits = next_ray(&ray, context, x, y, slice, x == rect->left);
             if (!closed(&place, blend, context) &&
-                ((hits && see(&fragment, context, &ray, slice)) || blend->kind == QV_HAND_OUT))
+                ((hits && see(&fragment, context, &ray, slice)) ||
+                 QV_FIELD(blend, kind) == QV_HAND_OUT))
                 qv_place_blend(&place, blend, &fragment, &moment, &of_slice);
             qv_place_next(&place, blend, step);
         }
@@ -94,7 +97,7 @@ qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_co
 static void extend(int32_t *first, int32_t *end, const qv_context *context, int32_t x, int32_t y)
 {
     qv_ray ray;
-    if (!context->scene.camera.projection->ray(&ray, context, x, y))
+    if (!QV_FIELD(context->scene.camera.projection, ray)(&ray, context, x, y))
         return;
     qv_path_clip(&ray, context);
     if (ray.samples == 0)

@@ -18,7 +18,7 @@ static int look_up(uint8_t entry[4], const slice *of, const qv_context *context,
                    int32_t y, uint32_t shift)
 {
     qv_ray ray;
-    if (!context->scene.camera.projection->ray(&ray, context, x, y))
+    if (!QV_FIELD(context->scene.camera.projection, ray)(&ray, context, x, y))
         return 0;
     qv_ray_count_from(&ray, of->number);
     if (!qv_ray_hold(&ray, context))
@@ -47,8 +47,9 @@ static qv_status check_buffer(const qv_buffer *buffer, const qv_rect *rect)
     if (status != QV_OK)
         return status;
     const qv_blend *blend = buffer->blend;
-    int of_8_bits = blend->bytes == 3 || blend->bytes == 4;
-    return blend->kind == QV_HAND_OUT || (blend->kind == QV_HARDWARE && of_8_bits)
+    int of_8_bits = QV_FIELD(blend, bytes) == 3 || QV_FIELD(blend, bytes) == 4;
+    return QV_FIELD(blend, kind) == QV_HAND_OUT ||
+                   (QV_FIELD(blend, kind) == QV_HARDWARE && of_8_bits)
                ? QV_OK
                : QV_ERROR_BUFFER;
 }
@@ -86,7 +87,7 @@ qv_status qv_slice_table(const qv_buffer *buffer, const qv_dither_table *table,
         return status;
     slice of = {table, fx_period_of(table->period), 0, number};
     of.phase = fx_phase(&of.period, qv_slice_number(number, 0) + dither->frame);
-    int hands_out = buffer->blend->kind == QV_HAND_OUT;
+    int hands_out = QV_FIELD(buffer->blend, kind) == QV_HAND_OUT;
     for (int32_t y = rect->top; y < rect->bottom; y++)
         for (int32_t x = rect->left; x < rect->right; x++) {
             uint8_t *pixel =
@@ -96,7 +97,7 @@ qv_status qv_slice_table(const qv_buffer *buffer, const qv_dither_table *table,
             if (hands_out)
                 memcpy(pixel, entry, sizeof entry);
             else if (seen)
-                blend_entry(pixel, entry, buffer->blend->bytes);
+                blend_entry(pixel, entry, QV_FIELD(buffer->blend, bytes));
         }
     return QV_OK;
 }

@@ -32,7 +32,7 @@ static void light_of(uint32_t light[4], const qv_splats *splats, const qv_sight 
                      uint32_t opacity, const qv_freevoxel *voxel, fx_unorm16 colour[3])
 {
     const qv_splat_scene *scene = &splats->scene;
-    if (scene->splatting->attenuated)
+    if (QV_FIELD(scene->splatting, attenuated))
         opacity = fx_high_product(
             opacity, qv_bearing_transmittance(&sight->viewer, voxel->attenuation, scene->inside));
     light[3] = (uint32_t)((fx_wide_product(opacity, sight->gain) + 0x40000000u) >> 31);
@@ -75,7 +75,7 @@ static void put_strip(const qv_sums *sums, const qv_splatting *splatting, const 
         uint16_t weight = qv_footprint_weight(&w->down, y);
         for (unsigned c = 0; c < 4; c++)
             of_row[c] = fx_product_shift16(light[c], weight);
-        splatting->row(row, weights, count, of_row);
+        QV_FIELD(splatting, row)(row, weights, count, of_row);
     }
 }
 
@@ -104,7 +104,7 @@ void qv_splat_put(const qv_sums *sums, const qv_splats *splats, const qv_freevox
     if (!qv_sight_of(&sight, splats, half, voxel->level) || !set_window(&w, sums, splats, &sight))
         return;
     uint32_t opacity =
-        opacity_of(splats, &sight, splats->scene.domain->weight(entry[3]), voxel->level);
+        opacity_of(splats, &sight, QV_FIELD(splats->scene.domain, weight)(entry[3]), voxel->level);
     light_of(light, splats, &sight, opacity, voxel, entry);
     if (light[3] != 0)
         put_light(sums, splats->scene.splatting, &w, light);
@@ -114,7 +114,7 @@ void qv_splat_put(const qv_sums *sums, const qv_splats *splats, const qv_freevox
 static qv_status check_voxel(const qv_splats *splats, const qv_freevoxel *voxel)
 {
     const qv_splat_scene *scene = &splats->scene;
-    int read = scene->splatting->attenuated || scene->lighting.count != 0;
+    int read = QV_FIELD(scene->splatting, attenuated) || scene->lighting.count != 0;
     if (!voxel->voxel || (read && !voxel->attenuation))
         return QV_ERROR_NULL;
     if (voxel->level > qv_pyramid_levels(scene->volume.size))

@@ -72,7 +72,8 @@ static qv_status check_attenuation(const qv_splats *splats, const qv_volume *lev
 {
     const qv_splat_scene *scene = &splats->scene;
     if (!attenuation)
-        return scene->splatting->attenuated || scene->lighting.count != 0 ? QV_ERROR_NULL : QV_OK;
+        return QV_FIELD(scene->splatting, attenuated) || scene->lighting.count != 0 ? QV_ERROR_NULL
+                                                                                    : QV_OK;
     if (!attenuation->records)
         return QV_ERROR_NULL;
     if (attenuation->directions != scene->directions)

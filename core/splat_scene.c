@@ -26,7 +26,7 @@ static qv_status check_volume(const qv_volume *volume, const qv_domain *domain)
     unsigned storage = volume->storage;
     if (storage - QV_STORAGE_RGBA8 > QV_STORAGE_INDEXED8_T16 - QV_STORAGE_RGBA8)
         return QV_ERROR_STORAGE;
-    if (domain->of_opacity == qv_storage_extinction(storage))
+    if (QV_FIELD(domain, of_opacity) == qv_storage_extinction(storage))
         return QV_ERROR_STORAGE;
     if (!qv_box_valid(volume->size))
         return QV_ERROR_SIZE;
@@ -251,7 +251,7 @@ static qv_status set_perspective(qv_splats *splats)
     eye_of(splats->eye, scene, distance);
     qv_splats_set(splats, QV_DISTANCE, fx_scaled_of((uint64_t)distance, -32));
     splats->distance = distance;
-    if (!scene->splatting->attenuated || !qv_splat_eye(position, scene))
+    if (!QV_FIELD(scene->splatting, attenuated) || !qv_splat_eye(position, scene))
         scene->inside = 0;
     else if (!scene->inside)
         return QV_ERROR_NULL;
@@ -272,7 +272,7 @@ static qv_status set_light(qv_splats *splats)
     qv_compass_of(&splats->compass, &scene->volume, scene->directions, scene->interpolation);
     status = qv_lighting_bearings(splats->lamp, &scene->lighting, &splats->compass,
                                   scene->volume.spacing);
-    if (!scene->splatting->attenuated)
+    if (!QV_FIELD(scene->splatting, attenuated))
         splats->compass.directions = QV_DIRECTIONS_ALL;
     return status;
 }

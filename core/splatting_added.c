@@ -10,4 +10,4 @@ static void row(uint32_t *sums, const uint16_t *weights, unsigned count, const u
             sums[c] = qv_sum_of(sums[c], (fx_product_shift16(light[c], weights[i]) + 8u) >> 4);
 }
 
-const qv_splatting qv_splatting_added = {row, 1};
+QV_DESCRIPTOR qv_splatting qv_splatting_added = {row, 1};

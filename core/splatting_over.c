@@ -21,4 +21,4 @@ static void row(uint32_t *sums, const uint16_t *weights, unsigned count, const u
     }
 }
 
-const qv_splatting qv_splatting_over = {row, 0};
+QV_DESCRIPTOR qv_splatting qv_splatting_over = {row, 0};

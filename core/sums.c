@@ -25,16 +25,15 @@ static size_t count_of(const qv_sums *sums)
 /* Rows of sums are rows of pixels of 16 bytes, as long as size_t can tell. */
 qv_status qv_sums_check(const qv_sums *sums)
 {
-    const qv_format format = {0, 8u * QV_SUM_CHANNELS * (uint8_t)sizeof(uint32_t), 0};
-    const qv_progress none = {0, 0, 0, 0, 0};
+    const unsigned pixel_bytes = QV_SUM_CHANNELS * sizeof(uint32_t);
     if (!sums)
         return QV_ERROR_NULL;
-    qv_image image = {sums->sums, 0, 0, &format};
+    ptrdiff_t stride = 0;
     if (sums->rect.left < sums->rect.right) /* else the rectangle is refused */
-        image.stride = (ptrdiff_t)(QV_SUM_CHANNELS * sizeof(uint32_t) * width_of(sums));
-    image.bytes =
+        stride = (ptrdiff_t)(pixel_bytes * width_of(sums));
+    size_t bytes =
         sums->count < (size_t)-1 / sizeof(uint32_t) ? sums->count * sizeof(uint32_t) : (size_t)-1;
-    return qv_image_check(&image, &none, &sums->rect);
+    return qv_plane_check(sums->sums, bytes, stride, 8u * pixel_bytes, &sums->rect);
 }
 
 /* The background under equation 9: associated, levels with 16 fraction bits. */
@@ -51,7 +50,7 @@ qv_status qv_sums_clear(const qv_sums *sums, const qv_splats *splats)
     qv_status status = splats ? qv_sums_check(sums) : QV_ERROR_NULL;
     if (status != QV_OK)
         return status;
-    if (!splats->scene.splatting->attenuated)
+    if (!QV_FIELD(splats->scene.splatting, attenuated))
         background_of(level, splats->scene.background);
     size_t count = count_of(sums);
     for (size_t i = 0; i < count; i++)
@@ -91,7 +90,7 @@ static int is_full(const qv_sums *sums)
    highest. */
 static int is_over(const qv_image *image, const qv_sums *sums)
 {
-    uint32_t rows = (uint32_t)(height_of(sums) - 1u) >> image->format->line_shift;
+    uint32_t rows = (uint32_t)(height_of(sums) - 1u) >> QV_FIELD(image->format, line_shift);
     uint64_t way = (uint64_t)rows *
                    (image->stride < 0 ? 0u - (uint64_t)image->stride : (uint64_t)image->stride);
     uintptr_t first = (uintptr_t)image->pixels - (image->stride < 0 ? (uintptr_t)way : 0u);
@@ -127,18 +126,18 @@ qv_status qv_sums_read_out(const qv_image *image, const qv_sums *sums, const qv_
         status = QV_ERROR_SUMS;
     if (status != QV_OK)
         return status;
-    if (splats->scene.splatting->attenuated)
+    if (QV_FIELD(splats->scene.splatting, attenuated))
         background_of(behind, splats->scene.background);
     size_t width = width_of(sums), height = height_of(sums);
     const uint32_t *sum = sums->sums;
     for (unsigned line = 0; line < height; line++) {
-        ptrdiff_t offset = (ptrdiff_t)(line >> image->format->line_shift) * image->stride;
+        ptrdiff_t offset = (ptrdiff_t)(line >> QV_FIELD(image->format, line_shift)) * image->stride;
         for (unsigned column = 0; column < width; column++, sum += QV_SUM_CHANNELS) {
             qv_pixel pixel;
             finish(&pixel, sum, behind);
             pixel.x = (uint32_t)sums->rect.left + column;
             pixel.y = (uint32_t)sums->rect.top + line;
-            image->format->store((uint8_t *)image->pixels + offset, column, line, &pixel);
+            QV_FIELD(image->format, store)((uint8_t *)image->pixels + offset, column, line, &pixel);
         }
     }
     return QV_OK;

@@ -4,7 +4,7 @@ TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := lm3s6965evb
 TARGET_CPU := -mcpu=cortex-m3 -mthumb
 TARGET_SYSTICK_HZ := 12500000
-include toolchain/cortex-m.mk
+include toolchain/shared/cortex-m.mk
 
 # Firmware that only this board runs: the head on the OLED.
 TARGET_FIRMWARE += head

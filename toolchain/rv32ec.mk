@@ -1,4 +1,4 @@
 # The smallest RISC-V: 16 registers, no multiplication, no division; compressed instructions.
 TARGET_CPU := -march=rv32ec -mabi=ilp32e
 TARGET_EMULATED_CPU := rv32,i=off,e=on,m=off,a=off,f=off,d=off,h=off,s=off,u=off
-include toolchain/riscv.mk
+include toolchain/shared/riscv.mk

@@ -9,6 +9,11 @@
 
 #define FX_TABLE static const PROGMEM
 
+static inline uint8_t fx_table8(const uint8_t *entry)
+{
+    return pgm_read_byte(entry);
+}
+
 static inline uint16_t fx_table16(const uint16_t *entry)
 {
     return pgm_read_word(entry);

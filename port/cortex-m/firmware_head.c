@@ -3,7 +3,7 @@
  * picture never exists as a whole in RAM.
  *
  * The volume is written by `qvol classify`, the view by toolchain/view_header;
- * both by the rules of toolchain/device.mk. With the argument "exit" the program
+ * both by the rules of toolchain/shared/device.mk. With the argument "exit" the program
  * ends after the picture, otherwise it waits so that the panel can be seen.
  */
 #include <stdbool.h>

@@ -134,15 +134,17 @@ static void measure_blend(const char *name, const qv_blend *blend, const qv_tech
     qv_moment moments[SLICES];
     for (unsigned slice = 0; slice < SLICES; slice++)
         moments[slice] = moment_of(&dither, blend, slice);
-    for (unsigned x = 0; x < PIXELS; x++)
-        blend->clear(pixels + x * blend->bytes, beside + x * blend->beside, &black);
+    for (unsigned x = 0; x < PIXELS; x++) {
+        uint8_t *pixel = pixels + x * QV_FIELD(blend, bytes);
+        QV_FIELD(blend, clear)(pixel, beside + x * QV_FIELD(blend, beside), &black);
+    }
     measure_begin();
     for (unsigned slice = 0; slice < SLICES; slice++)
         blend_slice(&row, &moments[slice], fragments + slice);
     measure_end();
-    report(name, blend->bytes, blend->beside,
-           checksum(pixels, (unsigned)PIXELS * blend->bytes) +
-               checksum(beside, (unsigned)PIXELS * blend->beside));
+    report(name, QV_FIELD(blend, bytes), QV_FIELD(blend, beside),
+           checksum(pixels, (unsigned)PIXELS * QV_FIELD(blend, bytes)) +
+               checksum(beside, (unsigned)PIXELS * QV_FIELD(blend, beside)));
 }
 
 int main(void)

@@ -4,7 +4,6 @@
 #include "golden.h"
 #include "golden_device.h"
 #include "console.h"
-#include "stack.h"
 
 static golden_memory memory;
 
@@ -28,10 +27,12 @@ static void print_difference(qv_status status, golden_way way, uint32_t checksum
     console_text("# ");
     console_text(golden_way_name[way]);
     console_text(": ");
-    if (status != QV_OK)
-        console_text(qv_status_text(status));
-    else
+    if (status != QV_OK) {
+        console_text("error ");
+        console_decimal((uint32_t)-status);
+    } else {
         console_hexadecimal(checksum);
+    }
     console_text("\n");
 }
 
@@ -61,8 +62,6 @@ int golden_run(const golden_set *set)
     }
     console_text("1..");
     console_decimal(set->end - set->first);
-    console_text("\n# stack ");
-    console_decimal(stack_high_water());
-    console_text(" bytes\n");
+    console_text("\n");
     return failures;
 }

@@ -43,8 +43,8 @@ static void place_buffer(plane planes[PLANES_OF_BUFFER], uint8_t **left, const g
     const qv_rect *rect = &golden->rect;
     size_t width = (size_t)(rect->right - rect->left);
     int32_t height = rect->bottom - rect->top;
-    place(&planes[PIXELS], left, golden, width * blend->blend->bytes, height);
-    place(&planes[BESIDE], left, golden, width * blend->blend->beside, height);
+    place(&planes[PIXELS], left, golden, width * QV_FIELD(blend->blend, bytes), height);
+    place(&planes[BESIDE], left, golden, width * QV_FIELD(blend->blend, beside), height);
 }
 
 static qv_status place_all(frame *f, golden_memory *memory)
@@ -52,7 +52,7 @@ static qv_status place_all(frame *f, golden_memory *memory)
     const golden_scene *golden = f->golden;
     const qv_rect *rect = &golden->rect;
     const qv_format *format = golden_find_format(golden);
-    int32_t lines = 1 << format->line_shift, height = rect->bottom - rect->top;
+    int32_t lines = 1 << QV_FIELD(format, line_shift), height = rect->bottom - rect->top;
     uint8_t *left = memory->pixels;
     place_buffer(f->behind, &left, golden, golden->slices.blend);
     if (golden->slices.front)
@@ -80,8 +80,9 @@ static qv_buffer buffer_of(const plane planes[PLANES_OF_BUFFER], const golden_bl
     qv_buffer buffer = {.stride = planes[PIXELS].stride,
                         .beside_stride = planes[BESIDE].stride,
                         .blend = blend->blend};
-    buffer.bytes = cut(&buffer.pixels, &planes[PIXELS], rect, part, blend->blend->bytes);
-    buffer.beside_bytes = cut(&buffer.beside, &planes[BESIDE], rect, part, blend->blend->beside);
+    buffer.bytes = cut(&buffer.pixels, &planes[PIXELS], rect, part, QV_FIELD(blend->blend, bytes));
+    buffer.beside_bytes =
+        cut(&buffer.beside, &planes[BESIDE], rect, part, QV_FIELD(blend->blend, beside));
     return buffer;
 }
 
@@ -180,7 +181,7 @@ static qv_status read_out(const frame *f)
     qv_buffer behind = buffer_of(f->behind, f->golden->slices.blend, rect, rect);
     const qv_format *format = golden_find_format(f->golden);
     ptrdiff_t between = f->picture.stride < 0 ? -f->picture.stride : f->picture.stride;
-    int32_t gaps = (rect->bottom - rect->top - 1) >> format->line_shift;
+    int32_t gaps = (rect->bottom - rect->top - 1) >> QV_FIELD(format, line_shift);
     qv_image image = {f->picture.top, (size_t)(gaps * between) + f->picture.row_bytes,
                       f->picture.stride, format};
     return qv_read_out(&image, &behind, &f->context, rect);

@@ -308,7 +308,7 @@ static void describe_lit(qv_volume *lit, const frame *f, uint8_t *voxels, uint8_
 {
     int32_t stride = bytes;
     *lit = f->volume[0];
-    lit->storage = f->golden->splats.lit_mode->sampling->storage;
+    lit->storage = QV_FIELD(f->golden->splats.lit_mode->sampling, storage);
     lit->voxels = voxels;
     lit->palette = NULL;
     lit->palette_bytes = 0;
@@ -336,7 +336,7 @@ static qv_status light(const frame *f, uint8_t *voxels, uint32_t slice_bytes)
 static qv_status render_lit(uint32_t *checksum, frame *f)
 {
     const golden_scene *golden = f->golden;
-    uint8_t bytes = golden->splats.lit_mode->sampling->storage % 2 == 0 ? 8 : 4;
+    uint8_t bytes = QV_FIELD(golden->splats.lit_mode->sampling, storage) % 2 == 0 ? 8 : 4;
     qv_scene scene;
     qv_status status = golden_make(&scene, f->memory, golden);
     if (status != QV_OK)

@@ -261,7 +261,7 @@ void golden_name(const char *word[GOLDEN_WORDS], const golden_scene *golden)
     };
     const golden_splat *splat = golden->splats.how;
     word[0] = splat ? "freevoxels" : families[golden->mode->family];
-    word[1] = storages[golden->mode->sampling->storage - QV_STORAGE_RGBA8];
+    word[1] = storages[QV_FIELD(golden->mode->sampling, storage) - QV_STORAGE_RGBA8];
     word[2] = splat               ? splat->name
               : by_slices(golden) ? golden->slices.blend->name
                                   : orders[golden->mode->order];

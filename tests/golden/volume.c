@@ -70,7 +70,7 @@ static bool is_filled(const golden_scene *golden, const uint16_t at[3])
 /* The storage with opacity for extinction, which looks the same in memory. */
 static uint8_t with_opacity(const golden_scene *golden)
 {
-    uint8_t storage = golden->mode->sampling->storage;
+    uint8_t storage = QV_FIELD(golden->mode->sampling, storage);
     return storage < QV_STORAGE_RGBT8 ? storage : (uint8_t)(storage - QV_STORAGE_INDEXED8_16);
 }
 
@@ -229,7 +229,7 @@ static void attach_palette(qv_volume *volume, golden_memory *memory, uint8_t sto
 qv_status golden_volume(qv_volume *volume, golden_memory *memory, const golden_scene *golden)
 {
     uint32_t state = golden->seed;
-    *volume = (qv_volume){.storage = golden->mode->sampling->storage,
+    *volume = (qv_volume){.storage = QV_FIELD(golden->mode->sampling, storage),
                           .unit_distance = golden->unit_distance,
                           .extinction = golden->extinction};
     for (unsigned axis = 0; axis < 3; axis++) {

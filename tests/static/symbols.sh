@@ -2,7 +2,7 @@
 # What the objects of core and fixedpoint ask for and hold: nothing undefined but
 # memcpy, memset, memmove and the compiler's 32-bit integer helpers (no floating
 # point, no 64-bit division); no variable that lasts; no division in a loop over
-# samples; no recursion.
+# samples; no recursion; on an AVR no constant in RAM.
 set -eu
 . tests/tap
 
@@ -78,6 +78,16 @@ check_recursion() {
     result "no recursion, not even through a pointer"
 }
 
+# On an AVR read-only data is copied to RAM, but for what lies in program memory.
+check_ram() {
+    make -s TARGET=avr BUILD="${BUILD:-build}" lib >&2
+    avr-objdump -h "${BUILD:-build}/avr/libqvol.a" | awk '
+        / file format / { file = $1; found = 1 }
+        $2 ~ /^\.(rodata|data|bss)/ && $3 !~ /^0+$/ { print file, $2, $3 }
+        END { if (!found) print "no object was found" }' >"$work/bad"
+    result "avr: no constant in RAM"
+}
+
 for optimise in -Os -O3; do
     compile gcc $optimise
     check_symbols "this machine $optimise" nm
@@ -88,4 +98,5 @@ for optimise in -Os -O3; do
     done
 done
 check_recursion
+check_ram
 finish

@@ -146,7 +146,7 @@ $(OUT)/port/cortex-m/firmware_head.o: $(OUT)/head_view.h
 # Their building is told on stderr, since scripts read what this prints.
 .PHONY: emulator
 emulator: $(TARGET_EMULATOR_NEEDS)
-	@echo "$(TARGET_EMULATOR) $(if $(REPORT),$(TARGET_COUNT)$(REPORT))"
+	@echo "$(TARGET_EMULATOR) $(if $(REPORT),$(or $(TARGET_COUNT),$(error nothing counts on $(TARGET)))$(REPORT))"
 
 $(COUNT_PLUGIN): tests/emulator/count.c
 	@mkdir -p $(@D)

@@ -10,4 +10,4 @@ TARGET_EMULATOR := qemu-system-riscv32 -M $(TARGET_BOARD) -cpu $(TARGET_EMULATED
 TARGET_PORT_FOLDER := port/riscv
 TARGET_PORT := $(addprefix port/riscv/,startup.c measure.c)
 
-include toolchain/firmware.mk
+include toolchain/shared/firmware.mk

@@ -11,4 +11,4 @@ TARGET_PORT_FOLDER := port/cortex-m
 TARGET_PORT := $(addprefix port/cortex-m/,startup.c systick.c oled.c measure.c)
 TARGET_PORT_CFLAGS := -DSYSTICK_HZ=$(TARGET_SYSTICK_HZ)u
 
-include toolchain/firmware.mk
+include toolchain/shared/firmware.mk

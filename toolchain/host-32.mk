@@ -1,0 +1,7 @@
+# This machine with pointers of 32 bits.
+TARGET_PACKAGES := gcc-multilib qemu-user
+TARGET_CC := gcc
+TARGET_AR := ar
+TARGET_CPU := -m32
+TARGET_QEMU := qemu-i386
+include toolchain/shared/linux.mk

@@ -1,0 +1,6 @@
+# This machine, by clang.
+TARGET_PACKAGES := clang qemu-user
+TARGET_CC := clang
+TARGET_AR := ar
+TARGET_QEMU := qemu-$(shell uname -m)
+include toolchain/shared/linux.mk
