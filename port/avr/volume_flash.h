@@ -22,14 +22,23 @@ static inline qv_address qv_at(qv_address base, qv_offset offset)
     return base + (qv_address)offset;
 }
 
+/* Devices of up to 64 KB have no instruction that reads far. */
 static inline uint8_t qv_read8(qv_address address)
 {
+#ifdef __AVR_HAVE_ELPM__
     return pgm_read_byte_far(address);
+#else
+    return pgm_read_byte((uint16_t)address);
+#endif
 }
 
 static inline uint16_t qv_read16(qv_address address)
 {
+#ifdef __AVR_HAVE_ELPM__
     return pgm_read_word_far(address);
+#else
+    return pgm_read_word((uint16_t)address);
+#endif
 }
 
 static inline int qv_aligned(qv_address address, unsigned alignment)
