@@ -14,6 +14,8 @@ DEVICES := $(sort $(patsubst toolchain/%.mk,%,$(wildcard toolchain/*.mk)))
 OUT := $(BUILD)/$(TARGET)
 PREFIX ?= /usr/local
 LIBRARY := $(OUT)/libqvol.a
+DIST := $(BUILD)/dist
+AMALGAMATION := $(DIST)/amalgamation/qvol.c
 QVOL := $(BUILD)/host/qvol
 HOST_CC := $(CC)
 
@@ -137,15 +139,16 @@ endif
 
 # ---- Packages: port/README.md says how to take them home ------------------------------
 
-DIST := $(BUILD)/dist
-
 .PHONY: dist amalgamation
 dist: amalgamation ## a package for each ecosystem below build/dist/
 	@toolchain/dist $(DIST) $(LIBRARY_SOURCES)
 
-amalgamation: ## the library as one header and one source: build/dist/amalgamation/
-	@toolchain/amalgamate $(DIST)/amalgamation $(LIBRARY_SOURCES)
-	@cp LICENSE CHANGELOG.md $(DIST)/amalgamation
+amalgamation: $(AMALGAMATION) ## the library as one header and one source: build/dist/amalgamation/
+
+$(AMALGAMATION): toolchain/amalgamate $(LIBRARY_SOURCES) $(wildcard core/*.h fixedpoint/*.h)
+	@echo "  GEN $@"
+	@toolchain/amalgamate $(@D) $(LIBRARY_SOURCES)
+	@cp LICENSE CHANGELOG.md $(@D)
 
 # ---- Care -----------------------------------------------------------------------
 

@@ -4,7 +4,7 @@
  * A ball of two halves in a translucent skin. A voxel's index is its character.
  */
 #include "ball.h"
-#include <qvol.h>
+#include "qvol.h"
 
 /* An AVR reads program memory by instructions of its own: see qv_address. */
 #ifdef __AVR__
