@@ -30,6 +30,8 @@ FIRMWARE_golden_bsplines := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden
 FIRMWARE_golden_slices := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_slices_device.c set_slices.c render_slices.c)
 FIRMWARE_golden_splats := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_splats_device.c set_splats.c draw_splats.c \
 	render_splats.c)
+FIRMWARE_golden_preweighted := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_preweighted_device.c \
+	set_preweighted.c)
 FIRMWARE_bench := tests/bench/bench_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_blends := tests/bench/blends_device.c
