@@ -42,8 +42,7 @@ static const uint8_t palette[QV_PALETTE_ENTRIES][4] IN_PROGRAM_MEMORY = {
 
 static qv_status start(qv_context *context)
 {
-    qv_view view = {
-        .pitch = QV_ONE_Q16 / 5, .step = QV_ONE_Q16 / 2, .width = WIDTH, .height = HEIGHT};
+    qv_view view = {.pitch = QV_ONE_Q16 / 5, .step = QV_ONE_Q16, .width = WIDTH, .height = HEIGHT};
     qv_scene scene = {
         .sampling = &qv_weighted_indexed8,
         .volume = {.voxels = ADDRESS(voxels),
