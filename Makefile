@@ -113,6 +113,11 @@ size-update: ## write tests/size/SIZES.md anew
 size-diff: ## sizes beside those of another revision: make size-diff REV=v0.1
 	@tests/size/diff.sh "$(REV)" $(SIZE_TARGETS)
 
+.PHONY: insns
+insns: ## instructions a sample, a blended pixel and a ray on each target, and beside floats
+	@tests/bench/insns.sh lines $(filter-out wasm32,$(SIZE_TARGETS)) >$(BUILD)/insns
+	@tests/bench/insns.sh table <$(BUILD)/insns
+
 bench: $(QVOL) ## instructions per sample on the devices, samples per second on the host
 	tests/bench/bench.sh
 

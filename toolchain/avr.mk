@@ -22,7 +22,8 @@ TARGET_EMULATOR = $(AVR_SIMULATOR) $(TARGET_BOARD)
 TARGET_EMULATOR_NEEDS = $(AVR_SIMULATOR)
 TARGET_COUNT := out=
 
-TARGET_FIRMWARE := functions blends planet ball freevoxels
+TARGET_BENCH_MODES := tests/bench/bench_modes_few.c
+TARGET_FIRMWARE := bench float functions blends planet ball freevoxels
 
 # ---- The planet in flash ----------------------------------------------------------
 

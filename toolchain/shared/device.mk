@@ -29,7 +29,9 @@ FIRMWARE_golden_splats := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_s
 	render_splats.c)
 FIRMWARE_golden_preweighted := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_preweighted_device.c \
 	set_preweighted.c)
-FIRMWARE_bench := tests/bench/bench_device.c
+TARGET_BENCH_MODES ?= tests/bench/bench_modes.c
+FIRMWARE_bench := tests/bench/bench_device.c $(TARGET_BENCH_MODES)
+FIRMWARE_float := tests/bench/float_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_marches := tests/device/marches.c
 FIRMWARE_blends := tests/bench/blends_device.c

@@ -17,5 +17,5 @@ TARGET_PORT := $(addprefix port/linux/,console.c measure.c) $(addprefix port/,by
 
 TARGET_LDFLAGS := $(TARGET_CPU) -static -Wl,--gc-sections
 
-TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices golden_splats bench \
+TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices golden_splats bench float \
 	functions blends ball freevoxels
