@@ -22,7 +22,7 @@ TARGET_EMULATOR = $(AVR_SIMULATOR) $(TARGET_BOARD)
 TARGET_EMULATOR_NEEDS = $(AVR_SIMULATOR)
 TARGET_COUNT := out=
 
-TARGET_FIRMWARE := functions blends planet ball freevoxels
+TARGET_FIRMWARE := functions blends planet ball pages freevoxels
 
 # ---- The planet in flash ----------------------------------------------------------
 

@@ -20,4 +20,4 @@ TARGET_EMULATOR_NEEDS = $(COUNT_PLUGIN)
 TARGET_COUNT = -plugin $(COUNT_PLUGIN),out=
 
 TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices golden_splats golden_preweighted bench \
-	functions blends ball freevoxels size_orthographic size_perspective size_splats
+	functions blends ball pages freevoxels size_orthographic size_perspective size_splats
