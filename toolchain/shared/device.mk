@@ -40,7 +40,8 @@ BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
 FIRMWARE_ball := port/firmware_ball.c $(BALL_IN_FLASH)
 FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
 ifdef TARGET_PANEL
-TARGET_FIRMWARE += head
+TARGET_FIRMWARE += head picture
+FIRMWARE_picture := port/firmware_picture.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL).c $(BALL_IN_FLASH)
 FIRMWARE_head := port/firmware_head.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL).c $(OUT)/head.c
 endif
 
