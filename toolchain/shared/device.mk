@@ -34,6 +34,7 @@ FIRMWARE_golden_preweighted := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,gol
 	set_preweighted.c)
 FIRMWARE_bench := tests/bench/bench_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
+FIRMWARE_marches := tests/device/marches.c
 FIRMWARE_blends := tests/bench/blends_device.c
 TARGET_BALL ?= port/ball_flash.c
 BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
