@@ -14,5 +14,4 @@ TARGET_PORT := port/wasm/console.c port/wasm/measure.c port/bytes.c port/console
 
 TARGET_LDFLAGS := $(TARGET_CPU) -nostdlib -Wl,--no-entry,--export=main,--gc-sections
 
-TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices golden_splats \
-	functions blends
+TARGET_FIRMWARE := functions blends

@@ -35,7 +35,7 @@ typedef enum golden_order {
 
 /* A sampling mode; its storage stands in the descriptor. */
 typedef struct golden_mode {
-    const qv_sampling *sampling;
+    const qv_sampling *sampling; /* null: not linked, see set.h */
     golden_family family;
     golden_order order;
 } golden_mode;

@@ -15,5 +15,4 @@ TARGET_PORT := $(addprefix port/linux/,console.c measure.c) port/console.c port/
 
 TARGET_LDFLAGS := $(TARGET_CPU) -static -Wl,--gc-sections
 
-TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices golden_splats bench \
-	functions blends ball freevoxels
+TARGET_FIRMWARE := bench functions blends ball freevoxels
