@@ -98,13 +98,16 @@ bench: $(QVOL) ## instructions per sample on the devices, samples per second on 
 
 # ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo papers test test-exhaustive
+.PHONY: setup demo gallery papers test test-exhaustive
 setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
 demo: setup ## pictures of a real MRI, and of a microcontroller drawing it: build/demo/
 	@$(MAKE) -s --no-print-directory all
 	@toolchain/demo
+
+gallery: setup ## a head turning on the panels of emulated boards, beside the host's: build/gallery/
+	@toolchain/gallery $(BUILD)/gallery cortex-m3 rv32imc
 
 papers: setup ## figures and numbers of the papers, recomputed: build/papers/
 	@$(MAKE) -s --no-print-directory paper-programs

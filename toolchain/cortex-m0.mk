@@ -3,5 +3,4 @@
 TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := microbit
 TARGET_CPU := -mcpu=cortex-m0 -mthumb
-TARGET_SYSTICK_HZ := 16000000
 include toolchain/shared/cortex-m.mk

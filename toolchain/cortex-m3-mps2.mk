@@ -3,5 +3,4 @@ TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := mps2-an385
 TARGET_MEMORIES := mps2
 TARGET_CPU := -mcpu=cortex-m3 -mthumb
-TARGET_SYSTICK_HZ := 25000000
 include toolchain/shared/cortex-m.mk

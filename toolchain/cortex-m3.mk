@@ -3,8 +3,12 @@
 TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := lm3s6965evb
 TARGET_CPU := -mcpu=cortex-m3 -mthumb
-TARGET_SYSTICK_HZ := 12500000
 include toolchain/shared/cortex-m.mk
 
-# Firmware that only this board runs: the head on the OLED.
-TARGET_FIRMWARE += head
+# The head on the OLED: 205 KB of indices in flash.
+TARGET_PANEL := oled
+PANEL_OPTIONS := --size 128x64 --format grey4
+HEAD_STORAGE := indexed8
+HEAD_AZIMUTH := 97
+SCAN_OPTIONS ?= --tf oled --reduce 3x4x3
+PANEL_VIEW ?= --elevation 3 --zoom 1.75

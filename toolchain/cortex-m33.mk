@@ -2,5 +2,4 @@
 TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := mps2-an505
 TARGET_CPU := -mcpu=cortex-m33 -mthumb -mfloat-abi=soft
-TARGET_SYSTICK_HZ := 20000000
 include toolchain/shared/cortex-m.mk

@@ -3,5 +3,4 @@ TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := mps2-an386
 TARGET_MEMORIES := mps2
 TARGET_CPU := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft
-TARGET_SYSTICK_HZ := 25000000
 include toolchain/shared/cortex-m.mk

@@ -1,5 +1,5 @@
 # This machine with pointers of 32 bits.
-TARGET_PACKAGES := gcc-multilib qemu-user
+TARGET_PACKAGES := gcc-12-multilib qemu-user
 TARGET_CC := gcc
 TARGET_AR := ar
 TARGET_CPU := -m32

@@ -68,7 +68,7 @@ static void send_data(uint32_t byte)
     send(byte);
 }
 
-void oled_start(void)
+void panel_start(void)
 {
     RCGC1 |= RCGC1_SSI0;
     RCGC2 |= RCGC2_GPIO_C | RCGC2_GPIO_D;
@@ -89,15 +89,15 @@ static void set_window(uint32_t top, uint32_t rows)
 {
     send_command(SET_COLUMNS);
     send_command(0);
-    send_command(OLED_ROW_BYTES - 1);
+    send_command(PANEL_ROW_BYTES - 1);
     send_command(SET_ROWS);
     send_command(top);
     send_command(top + rows - 1);
 }
 
-void oled_rows(uint32_t top, const uint8_t *pixels, uint32_t rows)
+void panel_rows(uint32_t top, const uint8_t *pixels, uint32_t rows)
 {
-    const uint8_t *end = pixels + rows * OLED_ROW_BYTES;
+    const uint8_t *end = pixels + rows * PANEL_ROW_BYTES;
     set_window(top, rows);
     while (pixels < end)
         send_data(*pixels++);

@@ -13,7 +13,6 @@ int main(void);
 
 void reset_handler(void);
 void fault_handler(void);
-void systick_handler(void);
 
 /* What a fault returns to the shell: 128 + SIGSEGV, as on a Unix host. */
 enum { FAULT_EXIT_CODE = 139 };
@@ -38,15 +37,9 @@ __attribute__((section(".vectors"), used)) static const vector_table vectors = {
             [10] = fault_handler,  /* 11 supervisor call */
             [11] = fault_handler,  /* 12 debug monitor */
             [13] = fault_handler,  /* 14 pended service */
-            [14] = systick_handler /* 15 system timer */
+            [14] = fault_handler   /* 15 system timer */
         },
 };
-
-/* A firmware without a timer has no systick_handler of its own. */
-__attribute__((weak)) void systick_handler(void)
-{
-    fault_handler();
-}
 
 void fault_handler(void)
 {

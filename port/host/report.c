@@ -30,7 +30,9 @@ static void vector(struct json *json, const char *key, const qv_coord v[3])
 
 void report_view(struct json *json, const struct view *view)
 {
+    const qv_angle *angles = view->angles;
     json_object(json, "view");
+    json_triple(json, "angles_q32", angles[0], angles[1], angles[2]);
     for (unsigned row = 0; row < 3; row++) {
         static const char *const names[3] = {"right_q30", "down_q30", "forward_q30"};
         const int32_t *r = view->view.rotation[row];

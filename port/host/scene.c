@@ -70,6 +70,8 @@ static uint16_t scene_phase(const struct settings *settings)
 
 void view_create(struct view *view, const qv_volume *volume, const struct settings *settings)
 {
+    for (unsigned i = 0; i < 3; i++)
+        view->angles[i] = binary_angle(settings->angles[i]);
     settings_rotation(view->view.rotation, settings);
     view->view.pitch = pitch(volume, settings);
     view->view.step = scene_step(volume->size, volume->spacing, settings);

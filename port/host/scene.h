@@ -9,6 +9,7 @@
 
 struct view {
     qv_view view;
+    qv_angle angles[3];     /* azimuth, elevation, roll: what the rotation is made of */
     qv_angle field_of_view; /* 0: orthographic */
 };
 

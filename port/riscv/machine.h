@@ -32,4 +32,10 @@ static inline uint32_t machine_call_host(uint32_t operation, const volatile void
     return a0;
 }
 
+/* Stops the machine until something happens. */
+static inline void machine_wait(void)
+{
+    __asm__ volatile("wfi");
+}
+
 #endif /* MACHINE_H */

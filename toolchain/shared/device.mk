@@ -11,18 +11,10 @@
 # It offers:
 #     firmware            every firmware of the target: TARGET_FIRMWARE
 #     $(OUT)/NAME.elf     one of them, with its link map beside it
-#     $(OUT)/oled.json    what the host rendered for the OLED, with its checksum
 #     emulator            prints what runs a firmware, for toolchain/emulate
 #     $(COUNT_PLUGIN)     the emulator's counting plugin
 #     $(AVR_SIMULATOR)    the emulator of AVR
-# Variables for the head on the OLED:
-#     SCAN                the scan to show
-#     SCAN_OPTIONS        how qvol classifies it
-#     OLED_VIEW           how qvol looks at it
-
-SCAN ?= /usr/share/mricron/templates/ch2.nii.gz
-SCAN_OPTIONS ?= --tf oled --reduce 3x4x3
-OLED_VIEW ?= --azimuth 97 --elevation 3 --zoom 1.75
+# What turns on boards with a panel is in toolchain/shared/head.mk.
 
 COUNT_PLUGIN := $(BUILD)/emulator/count.so
 AVR_SIMULATOR := $(BUILD)/emulator/avr
@@ -38,7 +30,10 @@ TARGET_BALL ?= port/ball_flash.c
 BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
 FIRMWARE_ball := port/firmware_ball.c $(BALL_IN_FLASH)
 FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
-FIRMWARE_head := port/cortex-m/firmware_head.c $(OUT)/head.c
+ifdef TARGET_PANEL
+TARGET_FIRMWARE += head
+FIRMWARE_head := port/firmware_head.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL).c $(OUT)/head.c
+endif
 
 # A program for each set of golden scenes, or for the part of a set whose voxels are of some
 # storages, where the flash holds no more: SET or SET.PART in TARGET_GOLDEN.
@@ -119,43 +114,11 @@ $(OUT)/ball.volume: $(BALL_WRITE)
 
 $(TARGET_BALL:%.c=$(OUT)/%.o): $(OUT)/ball.volume
 
-# ---- The head in flash ----------------------------------------------------------
+# ---- The turning head ---------------------------------------------------------------
 
-# Its own rules, in host.mk, decide what has to be done.
-$(QVOL): $(LIBRARY_SOURCES) $(wildcard core/*.h fixedpoint/*.h port/*.[ch] port/host/*)
-	@$(MAKE) --no-print-directory TARGET=host $@
-
-$(SCAN):
-	@echo "make: there is no scan $@; it comes with the package mricron-data, or give SCAN=FILE" >&2; exit 2
-
-HEAD_OPTIONS := $(call remember,$(OUT)/head-options,$(SCAN) $(SCAN_OPTIONS))
-VIEW_OPTIONS := $(call remember,$(OUT)/view-options,$(OLED_VIEW))
-
-$(OUT)/head.c: $(SCAN) $(QVOL) $(HEAD_OPTIONS)
-	@mkdir -p $(@D)
-	@echo "  GEN $@"
-	@$(QVOL) classify $(SCAN) --quiet --storage indexed8 $(SCAN_OPTIONS) --name head -o $@
-
-# The same voxels for the host, which learns their size from the C file's comment.
-$(OUT)/head.raw: $(SCAN) $(QVOL) $(HEAD_OPTIONS)
-	@mkdir -p $(@D)
-	@echo "  GEN $@"
-	@$(QVOL) classify $(SCAN) --quiet --storage indexed8 $(SCAN_OPTIONS) -o $@
-
-HEAD_SIZE = $$(sed -n -e 's/ x /x/g' -e 's/^ \* size *\([0-9x]*\) voxels/--dims \1/p' \
-	-e 's/^ \* spacing *\([0-9.x]*\)/--spacing \1/p' $(OUT)/head.c)
-
-# The report of the picture holds its view and its checksum.
-$(OUT)/oled.json: $(OUT)/head.raw $(OUT)/head.c $(VIEW_OPTIONS)
-	@echo "  GEN $@"
-	@$(QVOL) render $< --quiet --type indexed8 --palette $<.palette $(HEAD_SIZE) \
-		--size 128x64 --format grey4 $(OLED_VIEW) --json=$@ -o $(@:.json=.raw)
-
-$(OUT)/head_view.h: $(OUT)/oled.json
-	@echo "  GEN $@"
-	@toolchain/view_header $< >$@
-
-$(OUT)/port/cortex-m/firmware_head.o: $(OUT)/head_view.h
+ifdef TARGET_PANEL
+include toolchain/shared/head.mk
+endif
 
 # ---- The emulators ----------------------------------------------------------------
 
