@@ -1,5 +1,6 @@
-# ATmega1284P, 8 bits: volumes lie in RAM, as firmware makes them; descriptors do not.
-TARGET_VOLUMES := -include descriptor_flash.h
+# ATmega1284P, 8 bits: volumes lie in RAM, as the golden scenes make them; descriptors do
+# not. Functions share their beginnings and ends, so that more scenes fit a program.
+TARGET_OPTIONS := -include descriptor_flash.h -mcall-prologues
 include toolchain/shared/avr.mk
 
 DIRECT_OR_INDEXED := direct8 direct16 indexed8 indexed16

@@ -1,5 +1,5 @@
 # ATmega1284P, 8 bits: volumes lie in program memory.
-TARGET_VOLUMES := -DQV_MEMORY_HEADER='"volume_flash.h"'
+TARGET_OPTIONS := -DQV_MEMORY_HEADER='"volume_flash.h"'
 TARGET_GOLDEN :=
 TARGET_FIRMWARE := functions blends planet ball freevoxels
 include toolchain/shared/avr.mk

@@ -2,6 +2,7 @@
 TARGET_PACKAGES := clang lld llvm nodejs
 TARGET_CC := clang
 TARGET_AR := llvm-ar
+TARGET_LEVELS := -O2
 TARGET_CPU := --target=wasm32
 
 OPTIMISE ?= -O2

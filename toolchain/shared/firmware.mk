@@ -19,4 +19,7 @@ TARGET_LDLIBS := -lgcc
 TARGET_EMULATOR_NEEDS = $(COUNT_PLUGIN)
 TARGET_COUNT = -plugin $(COUNT_PLUGIN),out=
 
+# Levels of optimisation that the golden scenes are tested at.
+TARGET_LEVELS ?= -Os -O2
+
 TARGET_FIRMWARE := bench functions blends ball freevoxels size_orthographic size_perspective size_splats
