@@ -94,19 +94,6 @@ FX_INLINE int qv_rows_any(const qv_rows *rows, const qv_volume *volume, unsigned
     return 0;
 }
 
-/* Adds one voxel to the sums. */
-FX_INLINE void qv_add_voxel(qv_sample *sum, fx_weight weight, qv_address entry,
-                            const fx_density *density, unsigned storage, qv_factor factor)
-{
-    fx_sum term[3];
-    fx_share share = qv_share(weight, entry, density, storage, factor);
-    qv_terms(term, weight, share, entry, storage, factor);
-    sum->opacity = fx_share_add(sum->opacity, share);
-    sum->light[0] = fx_sum_add(sum->light[0], term[0]);
-    sum->light[1] = fx_sum_add(sum->light[1], term[1]);
-    sum->light[2] = fx_sum_add(sum->light[2], term[2]);
-}
-
 /* The sums over all voxels, each with its part of 1. */
 FX_INLINE void qv_add_rows(qv_sample *sum, const qv_rows *rows, const qv_triple triple[3],
                            const fx_density density[QV_BSPLINE_TAPS], const qv_volume *volume,

@@ -44,15 +44,14 @@ FX_INLINE void qv_cell_locate(qv_cell *cell, const qv_volume *volume, const qv_r
     cell->base = qv_cell_locate_axis(cell, base, volume, ray, 2);
 }
 
-/* The voxel of the half of the cell that a ray's next sample lies in. */
-FX_INLINE qv_address qv_nearest_voxel(const qv_ray *ray, const qv_volume *volume)
+/* The voxel of the half of the cell that the sample lies in. */
+FX_INLINE qv_address qv_cell_nearest_voxel(const qv_cell *cell)
 {
-    qv_cell cell;
-    qv_cell_locate(&cell, volume, ray);
-    qv_address voxel = cell.base;
+    qv_address voxel = cell->base;
+    FX_UNROLL
     for (unsigned axis = 0; axis < 3; axis++)
-        if (fx_fraction_bits(cell.fraction[axis]) >= 128)
-            voxel = qv_at(voxel, cell.next[axis]);
+        if (fx_fraction_bits(cell->fraction[axis]) >= 128)
+            voxel = qv_at(voxel, cell->next[axis]);
     return voxel;
 }
 

@@ -29,10 +29,10 @@ typedef struct qv_light {
 FX_INLINE void qv_under(qv_light *light, const uint32_t sample[3], uint32_t opacity)
 {
     uint32_t transmittance = light->transmittance;
-    light->colour[0] += fx_high_product(sample[0], transmittance);
-    light->colour[1] += fx_high_product(sample[1], transmittance);
-    light->colour[2] += fx_high_product(sample[2], transmittance);
-    light->transmittance = transmittance - fx_high_product(transmittance, opacity);
+    light->colour[0] = fx_add_high_product(light->colour[0], sample[0], transmittance);
+    light->colour[1] = fx_add_high_product(light->colour[1], sample[1], transmittance);
+    light->colour[2] = fx_add_high_product(light->colour[2], sample[2], transmittance);
+    light->transmittance = transmittance - fx_add_high_product(0, opacity, transmittance);
 }
 
 /* Places a sample in front of what has been gathered. */

@@ -15,16 +15,22 @@ qv_status qv_prepare_steps(qv_context *context, const qv_scene *scene);
 
 FX_INLINE void qv_advance(qv_ray *ray)
 {
+    FX_UNROLL
     for (unsigned axis = 0; axis < 3; axis++)
         ray->place[axis] += ray->advance[axis];
 }
 
-/* Takes the ray's next sample; returns 0 where there is nothing to see. */
-FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
-                      const qv_volume *volume, unsigned storage, qv_mode *mode)
+/* Takes a ray's next sample and advances the ray, while its place is at hand; returns 0 where
+   there is nothing to see. */
+FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, qv_ray *ray, const qv_volume *volume,
+                      unsigned storage, qv_cell_mode *mode)
 {
+    qv_cell cell;
     qv_sample sample;
-    if (!mode(&sample, ray, volume, storage))
+    qv_cell_locate(&cell, volume, ray);
+    qv_advance(ray);
+    FX_FORGET();
+    if (!mode(&sample, &cell, volume, storage))
         return 0;
     for (unsigned c = 0; c < 3; c++)
         colour[c] = fx_sum_bits(sample.light[c]);
@@ -34,7 +40,7 @@ FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, const qv_ray *ray,
 
 /* Front to back. ray->samples counts down to those that were not taken. */
 FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
-                        qv_mode *mode)
+                        qv_cell_mode *mode)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_ray_clip(ray, context);
@@ -50,7 +56,6 @@ FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context,
                 return;
             }
         }
-        qv_advance(ray);
     }
 }
 
@@ -67,7 +72,7 @@ FX_INLINE void qv_reverse(qv_ray *ray)
 
 /* Back to front: every sample is taken. */
 FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *context,
-                             unsigned storage, qv_mode *mode)
+                             unsigned storage, qv_cell_mode *mode)
 {
     qv_ray_clip(ray, context);
     for (qv_reverse(ray); ray->samples != 0; ray->samples--) {
@@ -76,7 +81,6 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
             qv_over(light, colour, opacity);
         else
             light->skipped++;
-        qv_advance(ray);
     }
 }
 
@@ -87,11 +91,11 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
 #define QV_DEFINE_SAMPLING(mode, suffix, storage, read_out)                                        \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
-        qv_march(light, ray, context, storage, qv_sample_##mode);                                  \
+        qv_march(light, ray, context, storage, qv_cell_##mode);                                    \
     }                                                                                              \
     static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
     {                                                                                              \
-        qv_march_back(light, ray, context, storage, qv_sample_##mode);                             \
+        qv_march_back(light, ray, context, storage, qv_cell_##mode);                               \
     }                                                                                              \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {qv_prepare_steps, march_##suffix, read_out,  \
                                                       storage, 0};                                 \

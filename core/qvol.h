@@ -330,7 +330,8 @@ typedef struct qv_sampling {
  *           multiplied (Levoy's pipeline, Wittenbrink et al. section 2): wrong
  *           at the border of materials, kept for comparison.
  * weighted: opacity-weighted interpolation (Wittenbrink et al. equations 9-12):
- *           weights in 4 multiplications and 19 additions, 36 and 47 in all.
+ *           weights in 4 multiplications and 12 additions, 36 and 40 in all (the
+ *           paper's table 1 has 19 and 47; here differences are shared).
  *
  * Weights have 16 fraction bits and sum to exactly 1; only the product xyz is
  * rounded. Sums of 8-bit storage are exact (32 bits), those of 16-bit storage

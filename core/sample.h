@@ -23,17 +23,26 @@ typedef struct qv_sample {
 typedef int qv_mode(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                     unsigned storage);
 
+/* The same of a cell that has been located. */
+typedef int qv_cell_mode(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                         unsigned storage);
+
 FX_INLINE uint32_t qv_opacity_bits(qv_address entry, unsigned storage)
 {
     return fx_channel_bits(qv_channel(entry, 3, storage));
 }
 
-/* Whether one of a cell's corners has any opacity. Written out, as qv_corners is:
-   most samples come no farther, and compilers keep short loops as loops. */
+/*
+ * Whether one of a cell's corners has any opacity. Where something is to be seen, the first mostly
+ * has; the others are asked together. Written out, as qv_corners is: most samples come no
+ * farther, and compilers keep short loops as loops.
+ */
 FX_INLINE int qv_any_opacity(const qv_address corner[8], unsigned storage)
 {
-    uint32_t low = qv_opacity_bits(corner[0], storage) | qv_opacity_bits(corner[1], storage) |
-                   qv_opacity_bits(corner[2], storage) | qv_opacity_bits(corner[3], storage);
+    if (qv_opacity_bits(corner[0], storage) != 0)
+        return 1;
+    uint32_t low = qv_opacity_bits(corner[1], storage) | qv_opacity_bits(corner[2], storage) |
+                   qv_opacity_bits(corner[3], storage);
     uint32_t high = qv_opacity_bits(corner[4], storage) | qv_opacity_bits(corner[5], storage) |
                     qv_opacity_bits(corner[6], storage) | qv_opacity_bits(corner[7], storage);
     return (low | high) != 0;
@@ -115,52 +124,54 @@ FX_INLINE fx_share qv_share(fx_weight weight, qv_address entry, const fx_density
     return fx_share_mul(weight, qv_channel(entry, 3, storage));
 }
 
-/* Trilinear: 4M 19A for the weights, 8M 7A for the opacity or extinction, 3 * (8M 7A) for
+/* Adds one voxel to the sums. */
+FX_INLINE void qv_add_voxel(qv_sample *sum, fx_weight weight, qv_address entry,
+                            const fx_density *density, unsigned storage, qv_factor factor)
+{
+    fx_sum term[3];
+    fx_share share = qv_share(weight, entry, density, storage, factor);
+    qv_terms(term, weight, share, entry, storage, factor);
+    sum->opacity = fx_share_add(sum->opacity, share);
+    sum->light[0] = fx_sum_add(sum->light[0], term[0]);
+    sum->light[1] = fx_sum_add(sum->light[1], term[1]);
+    sum->light[2] = fx_sum_add(sum->light[2], term[2]);
+}
+
+/* Trilinear: 4M 12A for the weights, 8M 7A for the opacity or extinction, 3 * (8M 7A) for
    the colours, with every factor. */
-FX_INLINE int qv_interpolate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+FX_INLINE int qv_interpolate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
                              unsigned storage, qv_factor factor)
 {
-    qv_cell cell;
     qv_address corner[8];
     fx_weight weight[8];
     fx_density density[8];
-    fx_sum light[3], term[3];
-    qv_cell_locate(&cell, volume, ray);
-    qv_corners(corner, &cell, volume, storage);
+    qv_corners(corner, cell, volume, storage);
     if (!qv_any_opacity(corner, storage))
         return 0;
-    qv_weights(weight, cell.fraction);
+    FX_FORGET();
+    qv_weights(weight, cell->fraction);
     sample->scale = factor == QV_BY_DENSITY ? qv_densities(density, corner, 8, storage) : 0u;
 
-    fx_share opacity = qv_share(weight[0], corner[0], &density[0], storage, factor);
-    qv_terms(light, weight[0], opacity, corner[0], storage, factor);
-    for (unsigned i = 1; i < 8; i++) {
-        fx_share share = qv_share(weight[i], corner[i], &density[i], storage, factor);
-        qv_terms(term, weight[i], share, corner[i], storage, factor);
-        opacity = fx_share_add(opacity, share);
-        light[0] = fx_sum_add(light[0], term[0]);
-        light[1] = fx_sum_add(light[1], term[1]);
-        light[2] = fx_sum_add(light[2], term[2]);
-    }
-    sample->opacity = opacity;
-    sample->light[0] = light[0];
-    sample->light[1] = light[1];
-    sample->light[2] = light[2];
+    sample->opacity = qv_share(weight[0], corner[0], &density[0], storage, factor);
+    qv_terms(sample->light, weight[0], sample->opacity, corner[0], storage, factor);
+    FX_UNROLL
+    for (unsigned i = 1; i < 8; i++)
+        qv_add_voxel(sample, weight[i], corner[i], &density[i], storage, factor);
     return 1;
 }
 
 /* Opacity-weighted: equations 11 and 12; or extinction-weighted, of stored extinction. */
-FX_INLINE int qv_sample_weighted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                 unsigned storage)
+FX_INLINE int qv_cell_weighted(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                               unsigned storage)
 {
-    return qv_interpolate(sample, ray, volume, storage, QV_BY_SHARE);
+    return qv_interpolate(sample, cell, volume, storage, QV_BY_SHARE);
 }
 
 /* Extinction-weighted, of stored opacity. */
-FX_INLINE int qv_sample_converted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                  unsigned storage)
+FX_INLINE int qv_cell_converted(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                                unsigned storage)
 {
-    return qv_interpolate(sample, ray, volume, storage, QV_BY_DENSITY);
+    return qv_interpolate(sample, cell, volume, storage, QV_BY_DENSITY);
 }
 
 /* colour * opacity of two separate sums: round(c * a / 2^16) for 8 bits (below
@@ -175,10 +186,10 @@ FX_INLINE fx_sum qv_associate(fx_sum colour, fx_share opacity, unsigned storage)
 
 /* Separate: the products with the opacity are those of equation 4 and belong to
    compositing. */
-FX_INLINE int qv_sample_separate(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                 unsigned storage)
+FX_INLINE int qv_cell_separate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                               unsigned storage)
 {
-    if (!qv_interpolate(sample, ray, volume, storage, QV_BY_WEIGHT))
+    if (!qv_interpolate(sample, cell, volume, storage, QV_BY_WEIGHT))
         return 0;
     for (unsigned c = 0; c < 3; c++)
         sample->light[c] = qv_associate(sample->light[c], sample->opacity, storage);
@@ -186,10 +197,10 @@ FX_INLINE int qv_sample_separate(qv_sample *sample, const qv_ray *ray, const qv_
 }
 
 /* Nearest: all of it is one voxel's. */
-FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
-                                unsigned storage)
+FX_INLINE int qv_cell_nearest(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                              unsigned storage)
 {
-    qv_address entry = qv_entry(qv_nearest_voxel(ray, volume), volume, storage);
+    qv_address entry = qv_entry(qv_cell_nearest_voxel(cell), volume, storage);
     fx_channel opacity = qv_channel(entry, 3, storage);
     if (fx_channel_bits(opacity) == 0)
         return 0;
@@ -198,6 +209,21 @@ FX_INLINE int qv_sample_nearest(qv_sample *sample, const qv_ray *ray, const qv_v
     qv_terms(sample->light, one, sample->opacity, entry, storage, QV_BY_SHARE);
     return 1;
 }
+
+/* The modes from where a ray stands: qv_sample_MODE. */
+#define QV_SAMPLE_CELL(mode)                                                                       \
+    FX_INLINE int qv_sample_##mode(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,  \
+                                   unsigned storage)                                               \
+    {                                                                                              \
+        qv_cell cell;                                                                              \
+        qv_cell_locate(&cell, volume, ray);                                                        \
+        return qv_cell_##mode(sample, &cell, volume, storage);                                     \
+    }
+
+QV_SAMPLE_CELL(nearest)
+QV_SAMPLE_CELL(separate)
+QV_SAMPLE_CELL(weighted)
+QV_SAMPLE_CELL(converted)
 
 /*
  * A sample's opacity as Q0.32 with 2^32 - 1 for exactly 1: opacity * 2^32 / unit,

@@ -25,7 +25,9 @@ static int look_up(uint8_t entry[4], const slice *of, const qv_context *context,
         return 0;
     for (unsigned axis = 0; axis < 3; axis++)
         ray.place[axis] += QV_CENTRED;
-    uint32_t value = qv_read8(qv_nearest_voxel(&ray, &context->scene.volume));
+    qv_cell cell;
+    qv_cell_locate(&cell, &context->scene.volume, &ray);
+    uint32_t value = qv_read8(qv_cell_nearest_voxel(&cell));
     uint32_t place = qv_phase_shifted(&of->period, of->phase, shift);
     qv_address from =
         qv_at(of->table->entries, (qv_offset)(4u * (QV_PALETTE_ENTRIES * place + value)));

@@ -2,11 +2,12 @@
  * weights.h - the eight weights of trilinear interpolation.
  *
  * Source: Wittenbrink, Malzbender, Goss 1998, section 6, multiplied out: 4
- * multiplications and 19 additions. The weights sum to exactly 65536, because
- * every product enters as often with one sign as with the other. Only xyz is
- * rounded, by at most 1/2, and each weight holds it once; the exact weight is
- * not negative, so the integer one is not either. Added terms come first, so no
- * difference wraps on the way.
+ * multiplications and, where the paper has 19 additions, 12, since differences are
+ * shared. The weights sum to exactly 65536, because every product enters as often with
+ * one sign as with the other. Only xyz is rounded, by at most 1/2, and each weight holds
+ * it once; the exact weight is not negative, so the integer one is not either. What a
+ * difference is taken from is a product of fractions and of 1 less a fraction, or a weight,
+ * so that none wraps on the way.
  */
 #ifndef QV_WEIGHTS_H
 #define QV_WEIGHTS_H
@@ -28,14 +29,13 @@ FX_INLINE void qv_weights(fx_weight w[8], const fx_fraction f[3])
     w[6] = fx_weight_sub(yz, xyz);
     w[5] = fx_weight_sub(xz, xyz);
     w[3] = fx_weight_sub(xy, xyz);
-    w[1] = fx_weight_sub(fx_weight_sub(fx_weight_add(x, xyz), xy), xz);
-    w[2] = fx_weight_sub(fx_weight_sub(fx_weight_add(y, xyz), xy), yz);
-    w[4] = fx_weight_sub(fx_weight_sub(fx_weight_add(z, xyz), xz), yz);
+    w[1] = fx_weight_sub(fx_weight_sub(x, xy), w[5]);
+    fx_weight y_alone = fx_weight_sub(y, xy); /* (1 - x) y */
+    w[2] = fx_weight_sub(y_alone, w[6]);
+    w[4] = fx_weight_sub(fx_weight_sub(z, xz), w[6]);
 
-    fx_weight one = fx_weight_of(FX_WEIGHT_ONE);
-    fx_weight plus = fx_weight_add(fx_weight_add(fx_weight_add(one, xy), xz), yz);
-    fx_weight minus_x = fx_weight_sub(plus, x);
-    w[0] = fx_weight_sub(fx_weight_sub(fx_weight_sub(minus_x, y), z), xyz);
+    fx_weight below_x = fx_weight_sub(fx_weight_of(FX_WEIGHT_ONE), x);
+    w[0] = fx_weight_sub(fx_weight_sub(below_x, y_alone), w[4]);
 }
 
 #endif /* QV_WEIGHTS_H */

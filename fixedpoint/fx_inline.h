@@ -13,4 +13,20 @@
 #define FX_INLINE static inline
 #endif
 
+/* In front of a loop of at most 8 rounds whose arrays are to become registers. Where size counts,
+   it stays a loop; other compilers decide for themselves. */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
+#define FX_UNROLL _Pragma("GCC unroll 8")
+#else
+#define FX_UNROLL
+#endif
+
+/* Has compilers store what they keep of memory in registers, and read it anew where it is wanted:
+   where registers are few, that is cheaper than to spill them. */
+#if defined(__GNUC__)
+#define FX_FORGET() __asm__ volatile("" ::: "memory")
+#else
+#define FX_FORGET() ((void)0)
+#endif
+
 #endif /* FX_INLINE_H */

@@ -36,6 +36,9 @@ static void check_products(uint32_t a, uint32_t b)
     assert_true(fx_wide_product_narrow(a, b) == product);
     assert_int_equal(fx_high_product(a, b), (product + 0x80000000u) >> 32);
     assert_int_equal(fx_high_product_narrow(a, b), (product + 0x80000000u) >> 32);
+    assert_int_equal(fx_high_product_digits(a, b), (product + 0x80000000u) >> 32);
+    assert_int_equal(fx_add_high_product(half, a, b),
+                     (uint32_t)(half + ((product + 0x80000000u) >> 32)));
     assert_int_equal(fx_product_shift16(a, half), (uint64_t)a * half >> 16);
 }
 
