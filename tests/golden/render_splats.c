@@ -326,9 +326,9 @@ static qv_status light(const frame *f, uint8_t *voxels, uint32_t slice_bytes)
     qv_status status = QV_OK;
     for (unsigned z = 0; z < size[2] && status == QV_OK; z += slab) {
         const qv_block block = {{0, 0, (uint16_t)z}, {size[0], size[1], (uint16_t)(z + slab)}};
-        status =
-            qv_illuminate(voxels + z * slice_bytes, (size_t)slab * (size_t)slice_bytes, &f->volume[0],
-                          &f->attenuation[0], &splats->lighting, splats->interpolation, &block);
+        status = qv_illuminate(voxels + z * slice_bytes, (size_t)slab * (size_t)slice_bytes,
+                               &f->volume[0], &f->attenuation[0], &splats->lighting,
+                               splats->interpolation, &block);
     }
     return status;
 }
