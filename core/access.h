@@ -35,7 +35,24 @@ static inline uint16_t qv_read16(qv_address address)
     return *(const qv_word *)aligned;
 }
 
-/* Whether an address is a multiple of the alignment, 1 or 2. */
+#if defined(__GNUC__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+typedef uint32_t __attribute__((may_alias)) qv_long_word;
+
+/* Four bytes, the first in the lowest bits, at an address that is a multiple of 4. */
+static inline uint32_t qv_read32(qv_address address)
+{
+    const void *aligned = address;
+    return *(const qv_long_word *)aligned;
+}
+#else
+static inline uint32_t qv_read32(qv_address address)
+{
+    return (uint32_t)address[3] << 24 | (uint32_t)address[2] << 16 | (uint32_t)address[1] << 8 |
+           address[0];
+}
+#endif
+
+/* Whether an address is a multiple of the alignment, 1, 2 or 4. */
 static inline int qv_aligned(qv_address address, unsigned alignment)
 {
     return ((uintptr_t)address & (alignment - 1u)) == 0;

@@ -55,6 +55,8 @@ FX_INLINE void qv_over(qv_light *light, const uint32_t sample[3], uint32_t opaci
 #define QV_READ_OUT_16 33424380u
 /* The same for 2^31 * 65535 / 65536: colours weighted by the extinction of opacities. */
 #define QV_READ_OUT_CONVERTED 66847740u
+/* The same, exactly, for 255 * 2^24: associated colours. */
+#define QV_READ_OUT_ASSOCIATED 33554432u
 
 /* A level with 16 fraction bits, at most QV_LEVEL_ONE, as part of 1, Q0.32: 65536 / 255 = 257 +
    1/2^8 + 1/2^16 + ... */

@@ -161,7 +161,8 @@ static qv_status check(const qv_volume *finer, const qv_filter *filter, const qv
     qv_status status = qv_volume_check(&volume);
     if (status != QV_OK)
         return status;
-    if (QV_FIELD(domain, of_opacity) && qv_storage_extinction(finer->storage))
+    if (qv_storage_associated(finer->storage) ||
+        (QV_FIELD(domain, of_opacity) && qv_storage_extinction(finer->storage)))
         return QV_ERROR_STORAGE;
     if (qv_pyramid_levels(finer->size) == 0)
         return QV_ERROR_LEVEL;

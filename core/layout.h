@@ -8,7 +8,7 @@
 
 /*
  * Whether elements of element_bytes with these strides stay apart from each
- * other and within `bytes`. alignment is 1 or 2. QV_OK, QV_ERROR_SIZE, _STRIDE.
+ * other and within `bytes`. alignment is 1, 2 or 4. QV_OK, QV_ERROR_SIZE, _STRIDE.
  */
 qv_status qv_layout_check(const uint16_t size[3], const int32_t stride[3], uint64_t bytes,
                           uint32_t element_bytes, uint32_t alignment);

@@ -44,6 +44,8 @@ qv_status qv_pyramid_check(const qv_volume *volume, const qv_pyramid *pyramid)
 {
     if (!pyramid)
         return QV_ERROR_LEVEL;
+    if (qv_storage_associated(volume->storage))
+        return QV_ERROR_STORAGE;
     if (!pyramid->voxels)
         return QV_ERROR_NULL;
     if (pyramid->levels == 0 || pyramid->levels > qv_pyramid_levels(volume->size))

@@ -8,10 +8,22 @@
 #include "fx_inline.h"
 #include "qvol.h"
 
+/* Whether there is such a storage. */
+FX_INLINE int qv_storage_known(unsigned storage)
+{
+    return storage - QV_STORAGE_RGBA8 <= QV_STORAGE_ASSOCIATED8 - QV_STORAGE_RGBA8;
+}
+
+/* Whether colours are stored weighted by opacity. */
+FX_INLINE int qv_storage_associated(unsigned storage)
+{
+    return storage == QV_STORAGE_ASSOCIATED8;
+}
+
 /* Whether the fourth channel is extinction. */
 FX_INLINE int qv_storage_extinction(unsigned storage)
 {
-    return storage >= QV_STORAGE_RGBT8;
+    return storage >= QV_STORAGE_RGBT8 && !qv_storage_associated(storage);
 }
 
 FX_INLINE int qv_storage_indexed(unsigned storage)
@@ -44,6 +56,8 @@ FX_INLINE unsigned qv_entry_storage(unsigned storage)
 
 FX_INLINE unsigned qv_voxel_alignment(unsigned storage)
 {
+    if (qv_storage_associated(storage))
+        return 4u;
     return (storage & 3u) == QV_STORAGE_RGBA16 ? 2u : 1u;
 }
 

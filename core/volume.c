@@ -8,7 +8,7 @@ qv_status qv_volume_check(const qv_volume *volume)
     if (!volume || !volume->voxels)
         return QV_ERROR_NULL;
     unsigned storage = volume->storage;
-    if (storage - QV_STORAGE_RGBA8 > QV_STORAGE_INDEXED8_T16 - QV_STORAGE_RGBA8)
+    if (!qv_storage_known(storage))
         return QV_ERROR_STORAGE;
     unsigned alignment = qv_voxel_alignment(storage);
     if (!qv_aligned(volume->voxels, alignment))

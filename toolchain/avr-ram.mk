@@ -5,7 +5,7 @@ include toolchain/shared/avr.mk
 
 DIRECT_OR_INDEXED := direct8 direct16 indexed8 indexed16
 TARGET_GOLDEN := steps $(DIRECT_OR_INDEXED:%=lengths.%) $(DIRECT_OR_INDEXED:%=bsplines.%) \
-	$(DIRECT_OR_INDEXED:%=slices.%) splats.narrow splats.wide
+	$(DIRECT_OR_INDEXED:%=slices.%) splats.narrow splats.wide preweighted
 
 # Two ways to draw each scene, which take some minutes: whole, and in strips.
 TARGET_PORT_CFLAGS += -DGOLDEN_DEVICE_WAYS=2

@@ -33,6 +33,11 @@ static inline uint16_t qv_read16(qv_address address)
     return pgm_read_word_far(address);
 }
 
+static inline uint32_t qv_read32(qv_address address)
+{
+    return pgm_read_dword_far(address);
+}
+
 static inline int qv_aligned(qv_address address, unsigned alignment)
 {
     return ((unsigned)address & (alignment - 1u)) == 0;

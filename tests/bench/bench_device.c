@@ -25,6 +25,7 @@ static const mode modes[] = {
     {"rgba8", "nearest", &qv_nearest_rgba8},
     {"rgba8", "separate", &qv_separate_rgba8},
     {"rgba8", "weighted", &qv_weighted_rgba8},
+    {"associated8", "preweighted", &qv_preweighted_associated8},
     {"rgba8", "corrected", &qv_corrected_rgba8},
     {"rgba8", "extinction", &qv_extinction_rgba8},
     {"rgba8", "bspline_weighted", &qv_bspline_weighted_rgba8},

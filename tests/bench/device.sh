@@ -32,7 +32,7 @@ count() { # count TARGET
 rows() {
     paste -d ' ' "$work/cortex-m3" "$work/cortex-m0" | awk '
         { stored = $1 ~ /t[0-9]/; column = $1; sub(/rgbt/, "rgba", column); sub(/_t8/, "", column)
-          sub(/_t/, "_", column); row = $2 (stored ? ", stored" : "") }
+          sub(/_t/, "_", column); sub(/associated/, "rgba", column); row = $2 (stored ? ", stored" : "") }
         !(row in seen) { seen[row] = 1; name[rows++] = row }
         { cell[row, column, 3, $3] = $4; cell[row, column, 0, $3] = $8 }
         END {

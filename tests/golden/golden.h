@@ -297,6 +297,22 @@ static const uint32_t golden_checksums[GOLDEN_SCENES] = {
     0x377ce4c5u, /* 285 freevoxels, rgbt16, over quadratic, orthographic, grey4 */
     0xacab9babu, /* 286 freevoxels, indexed8_t8, lit, perspective, mono_horizontal */
     0x9717681cu, /* 287 freevoxels, indexed8_t16, added linear, orthographic, mono_vertical */
+    0xd38eb4e0u, /* 288 preweighted, associated8, front to back, perspective, rgba8888 */
+    0xa338bbe8u, /* 289 preweighted, associated8, back to front, perspective, bgra8888 */
+    0x7b1f64b9u, /* 290 preweighted, associated8, front to back, orthographic, rgb888 */
+    0x9a50ba17u, /* 291 preweighted, associated8, back to front, perspective, rgb565_le */
+    0x09c55da6u, /* 292 preweighted, associated8, front to back, orthographic, rgb565_be */
+    0x24f59fc4u, /* 293 preweighted, associated8, back to front, perspective, l8 */
+    0x45bd06bau, /* 294 preweighted, associated8, front to back, orthographic, grey4 */
+    0x5499ce64u, /* 295 preweighted, associated8, back to front, orthographic, mono_horizontal */
+    0x7cbe4121u, /* 296 preweighted, associated8, front to back, orthographic, mono_vertical */
+    0x32b0a70du, /* 297 preweighted, associated8, back to front, perspective, rgba8888 */
+    0xa8414c0fu, /* 298 preweighted, associated8, front to back, perspective, bgra8888 */
+    0xb72e7218u, /* 299 preweighted, associated8, back to front, perspective, rgb888 */
+    0xd51f51d0u, /* 300 preweighted, associated8, front to back, orthographic, rgb565_le */
+    0x8a2791feu, /* 301 preweighted, associated8, back to front, orthographic, rgb565_be */
+    0xc007b564u, /* 302 preweighted, associated8, front to back, perspective, l8 */
+    0x25b246ceu, /* 303 preweighted, associated8, back to front, orthographic, grey4 */
 };
 
 #endif /* GOLDEN_H */

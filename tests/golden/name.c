@@ -6,12 +6,12 @@
 void golden_name(const char *word[GOLDEN_WORDS], const golden_scene *golden)
 {
     static const char *const families[] = {
-        "nearest",    "separate",         "weighted",           "corrected",
-        "extinction", "bspline_weighted", "bspline_extinction",
+        "nearest",   "separate",   "weighted",         "preweighted",
+        "corrected", "extinction", "bspline_weighted", "bspline_extinction",
     };
     static const char *const storages[] = {
-        "rgba8", "rgba16", "indexed8",    "indexed8_16",
-        "rgbt8", "rgbt16", "indexed8_t8", "indexed8_t16",
+        "rgba8",  "rgba16",      "indexed8",     "indexed8_16", "rgbt8",
+        "rgbt16", "indexed8_t8", "indexed8_t16", "associated8",
     };
     static const char *const orders[] = {"front to back", "back to front", "levels"};
     static const char *const formats[] = {

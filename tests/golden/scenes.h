@@ -21,6 +21,7 @@ typedef enum golden_family {
     GOLDEN_NEAREST,
     GOLDEN_SEPARATE,
     GOLDEN_WEIGHTED,
+    GOLDEN_PREWEIGHTED,
     GOLDEN_CORRECTED,
     GOLDEN_EXTINCTION,
     GOLDEN_BSPLINE_WEIGHTED,
@@ -119,13 +120,14 @@ enum {
     GOLDEN_FIRST_BSPLINES = 120,
     GOLDEN_FIRST_SLICES = 192,
     GOLDEN_FIRST_SPLATS = 252,
-    GOLDEN_SCENES = 288
+    GOLDEN_FIRST_PREWEIGHTED = 288,
+    GOLDEN_SCENES = 304
 };
 
 /* Modes that know no lengths, trilinear ones that weigh by length, B-splines, some of
-   each by slices, and FreeVoxels. */
+   each by slices, FreeVoxels, and associated colours. */
 extern const golden_set golden_steps, golden_lengths, golden_bsplines, golden_slices,
-    golden_freevoxels;
+    golden_freevoxels, golden_preweighted;
 
 typedef enum golden_format {
     GOLDEN_RGBA8888,

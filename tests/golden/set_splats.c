@@ -27,4 +27,4 @@ const golden_set golden_freevoxels = {.render = golden_render_splats,
                                       .splats = &of_splats,
                                       .draw = golden_draw_splats,
                                       .first = GOLDEN_FIRST_SPLATS,
-                                      .end = GOLDEN_SCENES};
+                                      .end = GOLDEN_FIRST_PREWEIGHTED};

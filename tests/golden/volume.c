@@ -67,10 +67,13 @@ static bool is_filled(const golden_scene *golden, const uint16_t at[3])
 
 /* ---- Memory --------------------------------------------------------------- */
 
-/* The storage with opacity for extinction, which looks the same in memory. */
+/* The storage with opacity for extinction, which looks the same in memory; or with colours that
+   are still to be weighted. */
 static uint8_t with_opacity(const golden_scene *golden)
 {
     uint8_t storage = QV_FIELD(golden->mode->sampling, storage);
+    if (storage == QV_STORAGE_ASSOCIATED8)
+        return QV_STORAGE_RGBA8;
     return storage < QV_STORAGE_RGBT8 ? storage : (uint8_t)(storage - QV_STORAGE_INDEXED8_16);
 }
 
@@ -226,9 +229,27 @@ static void attach_palette(qv_volume *volume, golden_memory *memory, uint8_t sto
     }
 }
 
-qv_status golden_volume(qv_volume *volume, golden_memory *memory, const golden_scene *golden)
+static qv_status fill(qv_volume *volume, golden_memory *memory, const golden_scene *golden)
 {
     uint32_t state = golden->seed;
+    if (golden->content == GOLDEN_CLASSIFIED)
+        return classify(memory, &state, golden);
+    random_palette(memory, &state, golden->content);
+    random_voxels(memory, volume, &state, golden);
+    return QV_OK;
+}
+
+/* All of the memory, gaps too. */
+static qv_status weight_colours(golden_memory *memory)
+{
+    const qv_entries all = {.entries = (qv_address)memory->voxels,
+                            .count = sizeof memory->voxels / 4,
+                            .storage = QV_STORAGE_RGBA8};
+    return qv_opacity_to_associated(memory->voxels, sizeof memory->voxels, &all);
+}
+
+qv_status golden_volume(qv_volume *volume, golden_memory *memory, const golden_scene *golden)
+{
     *volume = (qv_volume){.storage = QV_FIELD(golden->mode->sampling, storage),
                           .unit_distance = golden->unit_distance,
                           .extinction = golden->extinction};
@@ -239,11 +260,10 @@ qv_status golden_volume(qv_volume *volume, golden_memory *memory, const golden_s
     attach_palette(volume, memory, with_opacity(golden));
     if (!lay_out(volume, memory, golden))
         return QV_ERROR_BUFFER;
-    if (golden->content == GOLDEN_CLASSIFIED)
-        return classify(memory, &state, golden);
-    random_palette(memory, &state, golden->content);
-    random_voxels(memory, volume, &state, golden);
-    return QV_OK;
+    qv_status status = fill(volume, memory, golden);
+    if (status == QV_OK && volume->storage == QV_STORAGE_ASSOCIATED8)
+        status = weight_colours(memory);
+    return status;
 }
 
 /* ---- The pyramid ------------------------------------------------------------ */

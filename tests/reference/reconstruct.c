@@ -67,7 +67,8 @@ static void add_voxel(double sum[4], const qv_volume *volume, ref_mode mode, con
     double rgba[4];
     ref_voxel(rgba, volume, at);
     const double fourth = ref_is_by_extinction(mode) ? ref_extinction(rgba[3], volume) : rgba[3];
-    const double of_colour = mode == REF_SEPARATE ? 1 : fourth;
+    const bool as_it_stands = mode == REF_SEPARATE || ref_is_associated(volume->storage);
+    const double of_colour = as_it_stands ? 1 : fourth;
     for (int channel = 0; channel < 3; channel++) {
         sum[channel] += weight * of_colour * rgba[channel];
     }

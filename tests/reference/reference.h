@@ -100,7 +100,10 @@ bool ref_is_wide(uint8_t storage);
 bool ref_is_indexed(uint8_t storage);
 bool ref_holds_extinction(uint8_t storage);
 
-/* The channels of a voxel as the storage holds them, colours unweighted. */
+/* Whether colours are stored weighted by opacity. */
+bool ref_is_associated(uint8_t storage);
+
+/* The channels of a voxel as the storage holds them. */
 void ref_voxel(double rgba[4], const qv_volume *volume, const int32_t at[3]);
 
 /* ---- pyramid.c ------------------------------------------------------------ */

@@ -113,7 +113,8 @@ static size_t draw_strides(qv_volume *volume, draws *random)
         const uint32_t pick = level + draw_below(random, 3 - level);
         const uint32_t axis = order[pick];
         order[pick] = order[level];
-        const uint32_t gap = 2 * draw_below(random, 4); /* bytes, even for 16-bit data */
+        const uint32_t unit = ref_is_associated(volume->storage) ? 4 : 2; /* of alignment */
+        const uint32_t gap = unit * draw_below(random, 4);
         const uint32_t stride = extent + gap, reach = stride * (volume->size[axis] - 1u);
         const bool downwards = draw_once_in(random, 3);
         volume->stride[axis] = downwards ? -(int32_t)stride : (int32_t)stride;
@@ -201,12 +202,24 @@ static void store16(unsigned char *bytes, const uint16_t rgba[4])
     memcpy(bytes, rgba, 8);
 }
 
+/* Colours weighted by the opacity of 8 bits, to nearest. */
+static void store_associated(unsigned char *bytes, const uint16_t rgba[4])
+{
+    const double opacity = rgba[3] >> 8;
+    for (int channel = 0; channel < 3; channel++) {
+        bytes[channel] = (unsigned char)floor((rgba[channel] >> 8) * opacity / 255 + 0.5);
+    }
+    bytes[3] = (unsigned char)opacity;
+}
+
 static void store_voxel(unsigned char *voxel, uint8_t storage, const uint16_t rgba[4])
 {
     if (ref_is_indexed(storage)) {
         *voxel = (unsigned char)(rgba[0] >> 8);
     } else if (ref_is_wide(storage)) {
         store16(voxel, rgba);
+    } else if (ref_is_associated(storage)) {
+        store_associated(voxel, rgba);
     } else {
         store8(voxel, rgba);
     }

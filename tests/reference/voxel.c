@@ -46,6 +46,11 @@ bool ref_holds_extinction(uint8_t storage)
            storage == QV_STORAGE_INDEXED8_T8 || storage == QV_STORAGE_INDEXED8_T16;
 }
 
+bool ref_is_associated(uint8_t storage)
+{
+    return storage == QV_STORAGE_ASSOCIATED8;
+}
+
 void ref_voxel(double rgba[4], const qv_volume *volume, const int32_t at[3])
 {
     ptrdiff_t offset = 0;

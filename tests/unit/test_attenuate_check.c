@@ -167,7 +167,7 @@ static void wrong_volumes_are_refused(void **state)
     call c = good_call();
     (void)state;
 
-    l.from.volume.storage = 9;
+    l.from.volume.storage = QV_STORAGE_ASSOCIATED8 + 1;
     expect_refused(&c, QV_ERROR_STORAGE);
     c = good_call();
     c.domain = &qv_domain_stored;

@@ -226,12 +226,15 @@ static void bad_volumes_are_refused(void **state)
 
     for (uint8_t number = 0; number < 2; number++) {
         make(QV_STORAGE_RGBA8);
-        s.volume.storage = 9;
+        s.volume.storage = QV_STORAGE_ASSOCIATED8 + 1;
         expect_refused(number, QV_ERROR_STORAGE);
         make(QV_STORAGE_RGBA8);
         s.volume.spacing[1] = 1;
         expect_refused(number, QV_ERROR_SPACING);
     }
+    make(QV_STORAGE_RGBA8);
+    s.volume.storage = QV_STORAGE_ASSOCIATED8;
+    expect_refused(1, QV_ERROR_STORAGE);
 }
 
 int main(void)

@@ -45,7 +45,7 @@ static void volumes(void **state)
     (void)state;
     f.scene.volume.storage = 0;
     expect_scene(&f.scene, QV_ERROR_STORAGE);
-    f.scene.volume.storage = 9;
+    f.scene.volume.storage = QV_STORAGE_ASSOCIATED8;
     expect_scene(&f.scene, QV_ERROR_STORAGE);
     f.scene.domain = &qv_domain_stored;
     expect_scene(&f.scene, QV_ERROR_STORAGE);

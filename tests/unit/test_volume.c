@@ -50,7 +50,7 @@ static void null_pointers(void **state)
 
 static void unknown_storages(void **state)
 {
-    static const uint8_t unknown[] = {0, QV_STORAGE_INDEXED8_T16 + 1, 128, 255};
+    static const uint8_t unknown[] = {0, QV_STORAGE_ASSOCIATED8 + 1, 128, 255};
     (void)state;
 
     for (unsigned i = 0; i < sizeof unknown; i++) {

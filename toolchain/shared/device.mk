@@ -37,7 +37,7 @@ endif
 
 # A program for each set of golden scenes, or for the part of a set whose voxels are of some
 # storages, where the flash holds no more: SET or SET.PART in TARGET_GOLDEN.
-TARGET_GOLDEN ?= steps lengths bsplines slices splats
+TARGET_GOLDEN ?= steps lengths bsplines slices splats preweighted
 GOLDEN_PARTS := direct8 direct16 indexed8 indexed16 narrow wide
 STORAGES_narrow := DIRECT8|INDEXED8
 STORAGES_wide := DIRECT16|INDEXED16

@@ -1,0 +1,7 @@
+#include "golden_device.h"
+
+int main(void)
+{
+    golden_run(&golden_preweighted);
+    return 0;
+}
