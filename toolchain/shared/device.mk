@@ -25,6 +25,7 @@ FIRMWARE_size_perspective := $(addprefix port/cortex-m/,firmware_size.c firmware
 FIRMWARE_size_splats := port/cortex-m/firmware_size_splats.c
 FIRMWARE_bench := tests/bench/bench_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
+FIRMWARE_marches := tests/device/marches.c
 FIRMWARE_blends := tests/bench/blends_device.c
 TARGET_BALL ?= port/ball_flash.c
 BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
