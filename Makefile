@@ -100,7 +100,7 @@ bench: $(QVOL) ## instructions per sample on the devices, samples per second on 
 
 # ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo gallery picture papers test test-exhaustive
+.PHONY: setup demo gallery picture papers test test-exhaustive test-devices devices
 setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
@@ -126,6 +126,12 @@ papers: setup ## figures and numbers of the papers, recomputed: build/papers/
 
 test: setup ## everything that is tested; ends with "N passed, N failed"
 	@$(MAKE) --no-print-directory test-all
+
+test-devices: setup ## the golden scenes on every target: a matrix
+	@tests/run tests/device/golden.sh
+
+devices:
+	@echo "$(DEVICES)"
 
 test-exhaustive: ## every input of every fixed-point function: an hour or so
 	@$(MAKE) --no-print-directory exhaustive
