@@ -51,7 +51,8 @@
  *
  * ERRORS. A function that can fail returns a qv_status: 0 or a positive value on
  * success, a negative one on error. On error nothing has been written through
- * any pointer argument. Order of arguments: what is written, then what is read.
+ * any pointer argument; but qv_splat_init may leave zeros, since it makes its result where
+ * it is to be. Order of arguments: what is written, then what is read.
  *
  * THREADS. Every function works on its arguments alone, so calls on different
  * outputs may run at the same time; contexts and volumes may be shared freely.
@@ -1227,8 +1228,7 @@ extern const qv_domain qv_domain_stored, qv_domain_extinction;
  * besides, an extinction is off by up to .61 * 2^-24: the fourth channel is within .51 of its
  * last place of real arithmetic, colours of 8 bits are too, and colours of 16 bits within .5 +
  * .0009 / (least opacity under the filter that is not 0), at most .51 once weighted by opacity.
- * Where all voxels under the filter have 0, the result is black. Works in some 600 bytes on
- * the stack, whatever the size.
+ * Where all voxels under the filter have 0, the result is black.
  * Returns QV_OK or an error of qv_volume_check (spacing is not read), or QV_ERROR_SIZE
  * (slices), _BUFFER, _LEVEL (finer has one voxel), _MIXTURE (a filter that does not sum
  * to 1), _STORAGE (associated colours; qv_domain_extinction of stored extinction: take
@@ -1347,7 +1347,7 @@ qv_address qv_attenuation_at(const qv_attenuation *attenuation, const uint16_t p
  * of up to 1000 unit distances, or 1000 voxels where there is none (.52 up to 4096). On longer ones
  * too, but for opacities of at most 30 / 65535: .59.
  * The domain must be that of the volume's fourth channel: qv_domain_extinction for opacity,
- * qv_domain_stored for extinction. Works in some 400 bytes on the stack.
+ * qv_domain_stored for extinction.
  * Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check, _STORAGE (domain), _UNIT (a step
  * outside 2^-12 .. 2^12 unit distances), _EXTINCTION (a step's depth 0, or 2^12 or more, at the
  * full value), _DIRECTION (not in the set, or a set that is empty or has unknown bits), _SIZE (not
@@ -1526,6 +1526,8 @@ int qv_splat_eye(uint16_t position[3], const qv_splat_scene *scene);
  * _LEVEL, _LIGHT, _DIRECTION (a set that is empty or has unknown bits, or lacks a direction that
  * the viewer or a lamp wants; of QV_NEAREST, the nearest is more than 60 degrees off; an unknown
  * interpolation), _INSIDE (light may come to the eye by a direction whose byte in `inside` is 0).
+ * After an error splats is as it was, or all 0; there is no room on a small stack for a second one.
+ * The scene may be that of splats itself.
  */
 qv_status qv_splat_init(qv_splats *splats, const qv_splat_scene *scene);
 
