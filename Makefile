@@ -37,8 +37,12 @@ endif
 # ---- The library: no package needed -----------------------------------------
 
 LIBRARY_SOURCES := $(sort $(wildcard core/*.c fixedpoint/*.c))
-LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o)
-LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) -Icore -Ifixedpoint
+# Twins of C in assembly, where a target has some: make TWINS= TARGET=... does without.
+TWINS ?= $(TARGET_TWINS)
+TWIN_CFLAGS := $(if $(TWINS),-I$(TARGET_TWIN_FOLDER) -DQV_TWIN_HEADER='"$(TARGET_TWIN_HEADER)"')
+LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o) $(TWINS:%=$(OUT)/$(TARGET_TWIN_FOLDER)/%.o)
+LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) $(TWIN_CFLAGS) \
+	-Icore -Ifixedpoint
 
 .PHONY: all lib
 ifeq ($(TARGET),host)
@@ -71,6 +75,11 @@ $(OUT)/fixedpoint/%.o: fixedpoint/%.c $(OPTIONS)
 	@mkdir -p $(@D)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
+
+$(OUT)/%.o: %.S $(OPTIONS)
+	@mkdir -p $(@D)
+	@echo "  AS  $<"
+	@$(TARGET_CC) $(TARGET_CFLAGS) -c $< -o $@
 
 -include $(LIBRARY_OBJECTS:.o=.d)
 

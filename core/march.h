@@ -86,12 +86,13 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
 
 /*
  * Defines the sampling mode qv_MODE_SUFFIX for a storage, in both orders. A macro
- * because the descriptors are public names; the code is qv_march.
+ * because the descriptors are public names; the code is `march`, qv_march or a port's twin of
+ * it, and qv_march_back.
  */
-#define QV_DEFINE_SAMPLING(mode, suffix, storage, read_out)                                        \
+#define QV_DEFINE_SAMPLING(mode, suffix, storage, read_out, march)                                 \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
-        qv_march(light, ray, context, storage, qv_cell_##mode);                                    \
+        march(light, ray, context, storage, qv_cell_##mode);                                       \
     }                                                                                              \
     static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
     {                                                                                              \
@@ -102,10 +103,11 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_back_to_front = {                             \
         qv_prepare_steps, march_back_##suffix, read_out, storage, 0};
 
-#define QV_DEFINE_SAMPLINGS(mode)                                                                  \
-    QV_DEFINE_SAMPLING(mode, rgba8, QV_STORAGE_RGBA8, QV_READ_OUT_8)                               \
-    QV_DEFINE_SAMPLING(mode, rgba16, QV_STORAGE_RGBA16, QV_READ_OUT_16)                            \
-    QV_DEFINE_SAMPLING(mode, indexed8, QV_STORAGE_INDEXED8, QV_READ_OUT_8)                         \
-    QV_DEFINE_SAMPLING(mode, indexed8_16, QV_STORAGE_INDEXED8_16, QV_READ_OUT_16)
+/* The same for every storage of opacity: march8 for entries of 8 bits. */
+#define QV_DEFINE_SAMPLINGS(mode, march8)                                                          \
+    QV_DEFINE_SAMPLING(mode, rgba8, QV_STORAGE_RGBA8, QV_READ_OUT_8, march8)                       \
+    QV_DEFINE_SAMPLING(mode, rgba16, QV_STORAGE_RGBA16, QV_READ_OUT_16, qv_march)                  \
+    QV_DEFINE_SAMPLING(mode, indexed8, QV_STORAGE_INDEXED8, QV_READ_OUT_8, march8)                 \
+    QV_DEFINE_SAMPLING(mode, indexed8_16, QV_STORAGE_INDEXED8_16, QV_READ_OUT_16, qv_march)
 
 #endif /* QV_MARCH_H */

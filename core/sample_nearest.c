@@ -1,3 +1,3 @@
 #include "march.h"
 
-QV_DEFINE_SAMPLINGS(nearest)
+QV_DEFINE_SAMPLINGS(nearest, qv_march)

@@ -10,4 +10,9 @@ TARGET_EMULATOR := qemu-system-arm -M $(TARGET_BOARD) -icount shift=8,sleep=off
 TARGET_PORT_FOLDER := port/cortex-m
 TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 
+# Assembly for all with Thumb-2; a target without it has twins of its own, or none.
+TARGET_TWIN_FOLDER := port/cortex-m/twin
+TARGET_TWIN_HEADER := march_twin.h
+TARGET_TWINS ?= march_thumb2
+
 include toolchain/shared/firmware.mk
