@@ -99,6 +99,9 @@ int command_freevoxel(const struct settings *settings)
     output out;
     check_outputs(settings);
     model_read(&model, settings, settings->operands[0], QV_STORAGE_INDEXED8);
+    if (storage_is_associated(model.storage)) {
+        usage_error("--storage", "colours of FreeVoxels are not weighted: no associated8");
+    }
     set_unit_distance(&model, settings);
     model_volume(&volume, &model, settings);
     make_header(&header, &volume, settings);

@@ -2,6 +2,7 @@
  * command_pyramid.c - a volume and its coarser levels, for later or for a device.
  */
 #include "commands.h"
+#include "error.h"
 #include "export.h"
 
 #include <stdlib.h>
@@ -14,6 +15,9 @@ int command_pyramid(const struct settings *settings)
     qv_volume volume;
     export_check_settings(settings);
     model_read(&model, settings, settings->operands[0], QV_STORAGE_RGBA16);
+    if (storage_is_associated(model.storage)) {
+        usage_error("--storage", "associated8 has no levels");
+    }
     export_check_model(&model, settings);
     model_volume(&volume, &model, settings);
     levels_build(&levels, &volume, &model, settings);

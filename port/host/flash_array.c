@@ -114,6 +114,16 @@ static const char *linkage(const struct flash_array *array)
     return array->header_file ? "static " : "";
 }
 
+/* Bytes that lie at a multiple of 4, as associated colours must. */
+static void start_aligned(struct flash_array *array, const char *what, uint64_t bytes)
+{
+    array->word_bytes = 1;
+    array->column = 0;
+    print(array, "\n%sconst union {\n    uint8_t bytes[%" PRIu64 "];\n    uint32_t aligned;\n",
+          linkage(array), bytes);
+    print(array, "} %s_%s = {{\n", array->name, what);
+}
+
 /* An array of words is aligned as 16-bit storage must be. */
 static void start_array(struct flash_array *array, const char *what, unsigned word_bytes,
                         uint64_t words)
@@ -158,7 +168,11 @@ void flash_array_begin(struct flash_array *array, output *out, const struct mode
     if (!array->header_file) {
         print_declarations(array);
     }
-    start_array(array, "voxels", word_bytes, volume->voxels_bytes / word_bytes);
+    if (storage_is_associated(model->storage)) {
+        start_aligned(array, "voxels", volume->voxels_bytes);
+    } else {
+        start_array(array, "voxels", word_bytes, volume->voxels_bytes / word_bytes);
+    }
 }
 
 /* Decimal is shorter than hexadecimal, and compilers read it as fast. */
@@ -211,7 +225,8 @@ static void print_volume(struct flash_array *array)
         snprintf(palette, sizeof palette, "(qv_address)%s_palette", array->name);
     }
     print(array, "\n%sconst qv_volume %s_volume = {\n", linkage(array), array->name);
-    print(array, "    (qv_address)%s_voxels,\n    %s,\n", array->name, palette);
+    print(array, "    (qv_address)%s_voxels%s,\n    %s,\n", array->name,
+          storage_is_associated(array->model->storage) ? ".bytes" : "", palette);
     print(array, "    %" PRIu64 "u, /* bytes of voxels */\n    %" PRIu32 "u, /* of palette */\n",
           volume->voxels_bytes, volume->palette_bytes);
     print(array, "    {%u, %u, %u}, /* size */\n    %s,\n", volume->size[0], volume->size[1],
@@ -263,7 +278,7 @@ static void print_dither_table(struct flash_array *array)
 void flash_array_end(struct flash_array *array)
 {
     const struct model *model = array->model;
-    print(array, "\n};\n");
+    print(array, storage_is_associated(model->storage) ? "\n}};\n" : "\n};\n");
     if (model->palette != NULL) {
         print_entries(array, "palette", model->palette, model->palette_bytes);
     }

@@ -32,10 +32,11 @@
 #define SAMPLING_DETAILS                                                                           \
     "Sampling: nearest; separate (colour and opacity apart); weighted (by opacity, the "           \
     "default);\n"                                                                                  \
+    "preweighted (of storage associated8, whose colours are weighted once: fast, for devices);\n"  \
     "extinction (by extinction: no step changes a homogeneous medium; the default where voxels\n"  \
     "hold it); bspline-weighted and bspline-extinction (the same two, of 27 voxels). Opacities\n"  \
-    "are corrected for the length of each sample but by nearest, separate, and weighted without\n" \
-    "--unit-distance.\n"
+    "are corrected for the length of each sample but by nearest, separate, preweighted, and\n"     \
+    "weighted without --unit-distance.\n"
 
 #define LEVEL_DETAILS                                                                              \
     "A level has half the voxels of the one before on each axis. Raw RGBA, RGBT and indexed8\n"    \

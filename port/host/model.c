@@ -218,6 +218,8 @@ static qv_storage storage_of_element(element type)
         return QV_STORAGE_RGBA16;
     case ELEMENT_RGBT8:
         return QV_STORAGE_RGBT8;
+    case ELEMENT_ASSOCIATED8:
+        return QV_STORAGE_ASSOCIATED8;
     default:
         return QV_STORAGE_RGBT16;
     }

@@ -91,6 +91,15 @@ static void apply_mask(uint8_t *voxels, size_t bytes, const struct model *mask, 
     free(own);
 }
 
+/* In place. */
+static void associate(void *voxels, size_t bytes, const struct model *model)
+{
+    const qv_entries entries = {.entries = voxels,
+                                .count = (uint32_t)(bytes / storage_voxel_bytes(model->storage)),
+                                .storage = (uint8_t)storage_with_opacity(model->storage)};
+    check_status(qv_opacity_to_associated(voxels, bytes, &entries), model, "colours");
+}
+
 void model_classify(void *voxels, size_t bytes, const struct model *model, uint32_t first,
                     uint32_t end)
 {
@@ -99,6 +108,9 @@ void model_classify(void *voxels, size_t bytes, const struct model *model, uint3
     uint8_t storage = (uint8_t)storage_with_opacity(model->storage);
     check_status(qv_classify(voxels, bytes, storage, &model->classifier, &block), model,
                  "classification");
+    if (storage_is_associated(model->storage)) {
+        associate(voxels, bytes, model);
+    }
     if (model->mask != NULL) {
         apply_mask(voxels, bytes, model->mask, first, end);
     }

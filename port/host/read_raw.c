@@ -31,6 +31,7 @@ const choice raw_type_names[] = {
     {"rgbt8", ELEMENT_RGBT8},
     {"rgbt16le", ELEMENT_RGBT16},
     {"rgbt16be", ELEMENT_RGBT16 | RAW_BIG_ENDIAN},
+    {"associated8", ELEMENT_ASSOCIATED8},
     {"indexed8", ELEMENT_INDEXED8},
     {NULL, 0},
 };

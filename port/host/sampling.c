@@ -34,6 +34,8 @@ struct family {
 static const struct family families[SAMPLING_MODES] = {
     [SAMPLING_NEAREST] = {.by_step = {BOTH_ORDERS(OF_OPACITY, nearest)}},
     [SAMPLING_SEPARATE] = {.by_step = {BOTH_ORDERS(OF_OPACITY, separate)}},
+    [SAMPLING_PREWEIGHTED] = {.by_step = {{&qv_preweighted_associated8},
+                                          {&qv_preweighted_associated8_back_to_front}}},
     [SAMPLING_WEIGHTED] = {.by_step = {BOTH_ORDERS(OF_OPACITY, weighted)},
                            .opacity = {ALL_WAYS(OF_OPACITY, corrected)}},
     [SAMPLING_EXTINCTION] = {.opacity = {ALL_WAYS(OF_OPACITY, extinction)},
@@ -47,6 +49,9 @@ int sampling_mode(const struct settings *settings, qv_storage storage)
 {
     if (settings->sampling != SAMPLING_BY_STORAGE) {
         return settings->sampling;
+    }
+    if (storage_is_associated(storage)) {
+        return SAMPLING_PREWEIGHTED;
     }
     return storage_holds_extinction(storage) ? SAMPLING_EXTINCTION : SAMPLING_WEIGHTED;
 }
@@ -76,7 +81,12 @@ const qv_sampling *sampling_choose(const struct settings *settings, qv_storage s
     enum way way = way_of(settings);
     const struct family *family = &families[mode];
     const qv_sampling *sampling;
-    if (storage_holds_extinction(storage)) {
+    if (storage_is_associated(storage) != (mode == SAMPLING_PREWEIGHTED)) {
+        usage_error("--sampling", "preweighted and storage associated8 need each other");
+    }
+    if (storage_is_associated(storage)) {
+        sampling = family->by_step[way][0];
+    } else if (storage_holds_extinction(storage)) {
         sampling = family->extinction[way][storage - QV_STORAGE_RGBT8];
     } else if (sampling_by_length(settings, storage)) {
         sampling = family->opacity[way][storage - QV_STORAGE_RGBA8];

@@ -21,6 +21,7 @@ const choice element_names[] = {
     {"rgba16", ELEMENT_RGBA16},
     {"rgbt8", ELEMENT_RGBT8},
     {"rgbt16", ELEMENT_RGBT16},
+    {"associated8", ELEMENT_ASSOCIATED8},
     {"indexed8", ELEMENT_INDEXED8},
     {NULL, 0},
 };
@@ -47,7 +48,7 @@ unsigned element_word_bytes(element type)
 
 unsigned element_bytes(element type)
 {
-    bool colour = type >= ELEMENT_RGBA8 && type <= ELEMENT_RGBT16;
+    bool colour = type >= ELEMENT_RGBA8 && type <= ELEMENT_ASSOCIATED8;
     return element_word_bytes(type) * (colour ? 4 : 1);
 }
 

@@ -23,6 +23,7 @@ typedef enum element {
     ELEMENT_RGBA16,
     ELEMENT_RGBT8, /* with extinction for opacity */
     ELEMENT_RGBT16,
+    ELEMENT_ASSOCIATED8, /* with colours weighted by opacity */
     ELEMENT_INDEXED8
 } element;
 

@@ -24,14 +24,20 @@
 #define LEVEL_MOST 12
 
 const choice storage_names[] = {
-    {"rgba8", QV_STORAGE_RGBA8}, {"rgba16", QV_STORAGE_RGBA16}, {"indexed8", QV_STORAGE_INDEXED8},
-    {"rgbt8", QV_STORAGE_RGBT8}, {"rgbt16", QV_STORAGE_RGBT16}, {NULL, 0},
+    {"rgba8", QV_STORAGE_RGBA8},
+    {"rgba16", QV_STORAGE_RGBA16},
+    {"indexed8", QV_STORAGE_INDEXED8},
+    {"rgbt8", QV_STORAGE_RGBT8},
+    {"rgbt16", QV_STORAGE_RGBT16},
+    {"associated8", QV_STORAGE_ASSOCIATED8},
+    {NULL, 0},
 };
 
 const choice sampling_names[] = {
     {"nearest", SAMPLING_NEAREST},
     {"separate", SAMPLING_SEPARATE},
     {"weighted", SAMPLING_WEIGHTED},
+    {"preweighted", SAMPLING_PREWEIGHTED},
     {"extinction", SAMPLING_EXTINCTION},
     {"bspline-weighted", SAMPLING_BSPLINE_WEIGHTED},
     {"bspline-extinction", SAMPLING_BSPLINE_EXTINCTION},
@@ -353,7 +359,8 @@ const struct option_spec option_specs[] = {
     {"endian", 0, "little|big", "of a 16-bit palette, and of 16-bit raw output (little)",
      set_endian, GROUP_INPUT},
 
-    {"storage", 0, "KIND", "rgba8, rgba16, indexed8, rgbt8 or rgbt16", set_storage, GROUP_CLASSIFY},
+    {"storage", 0, "KIND", "rgba8, rgba16, indexed8, rgbt8, rgbt16 or associated8", set_storage,
+     GROUP_CLASSIFY},
     {"palette-bits", 0, "8|16", "width of the palette of indexed8 (8)", set_palette_bits,
      GROUP_CLASSIFY},
     {"extinction", 0, "E|auto", "depth of the full value of rgbt8, rgbt16 or an indexed8 palette",

@@ -14,12 +14,13 @@
 #define STEP_LEAST (1.0 / 16)
 #define STEP_MOST  16
 
-/* By storage: extinction where voxels hold it, else weighted. */
+/* By storage: extinction where voxels hold it, preweighted where colours are, else weighted. */
 enum sampling_mode {
     SAMPLING_BY_STORAGE,
     SAMPLING_NEAREST,
     SAMPLING_SEPARATE,
     SAMPLING_WEIGHTED,
+    SAMPLING_PREWEIGHTED,
     SAMPLING_EXTINCTION,
     SAMPLING_BSPLINE_WEIGHTED,
     SAMPLING_BSPLINE_EXTINCTION,
@@ -230,7 +231,7 @@ void settings_check_needs(const struct settings *settings, int groups);
 /* True if the output is C source: its name ends in .c or .h. */
 bool settings_want_array(const struct settings *settings);
 
-/* The storage that --storage, --palette-bits and --extinction ask for together. */
+/* The storage that --storage, --palette-bits, --extinction and --sampling ask for together. */
 qv_storage settings_storage(const struct settings *settings, qv_storage by_default);
 
 #endif

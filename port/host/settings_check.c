@@ -21,10 +21,12 @@ static bool export_keeps_unit(const struct settings *settings)
            settings->storage == QV_STORAGE_RGBT8 || settings->storage == QV_STORAGE_RGBT16;
 }
 
-/* nearest and separate know no lengths. */
+/* nearest, separate and preweighted know no lengths. */
 static bool sampling_may_weigh(const struct settings *settings)
 {
-    return settings->sampling != SAMPLING_NEAREST && settings->sampling != SAMPLING_SEPARATE;
+    return settings->sampling != SAMPLING_NEAREST && settings->sampling != SAMPLING_SEPARATE &&
+           settings->sampling != SAMPLING_PREWEIGHTED &&
+           settings->storage != QV_STORAGE_ASSOCIATED8;
 }
 
 bool settings_back_to_front(const struct settings *settings)
@@ -58,9 +60,9 @@ void settings_check_needs(const struct settings *settings, int groups)
         {"--unit-distance", unit && exports, export_keeps_unit(settings),
          "--storage rgbt8 or rgbt16, --extinction, --json or an output that ends in .c or .h"},
         {"--unit-distance", unit, sampling_may_weigh(settings),
-         "another --sampling: nearest and separate take opacities as they are"},
+         "another --sampling: nearest, separate and preweighted take opacities as they are"},
         {"--level", settings->level_given, sampling_may_weigh(settings),
-         "another --sampling: nearest and separate have no levels"},
+         "another --sampling: nearest, separate and preweighted have no levels"},
         {"--level", settings->level_given, !back_to_front || settings->slices.wanted,
          "--order front-to-back"},
         {"--filter", settings->filter != FILTER_BY_SAMPLING, levels, "--level"},
@@ -77,7 +79,10 @@ void settings_check_needs(const struct settings *settings, int groups)
 
 qv_storage settings_storage(const struct settings *settings, qv_storage by_default)
 {
-    qv_storage storage = settings->storage != 0 ? (qv_storage)settings->storage : by_default;
+    bool associated = settings->sampling == SAMPLING_PREWEIGHTED;
+    qv_storage storage = settings->storage != 0 ? (qv_storage)settings->storage
+                         : associated           ? QV_STORAGE_ASSOCIATED8
+                                                : by_default;
     if (settings->palette_bits != 0 && !storage_is_indexed(storage)) {
         usage_error("--palette-bits", "only indexed8 has a palette");
     }

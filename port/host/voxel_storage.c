@@ -23,6 +23,8 @@ static const struct kind {
      QV_STORAGE_INDEXED8_T8},
     {"indexed8", "QV_STORAGE_INDEXED8_T16", 1, 2, QV_STORAGE_RGBT16, QV_STORAGE_INDEXED8_16,
      QV_STORAGE_INDEXED8_T16},
+    {"associated8", "QV_STORAGE_ASSOCIATED8", 4, 1, QV_STORAGE_ASSOCIATED8, QV_STORAGE_RGBA8,
+     QV_STORAGE_RGBT8},
 };
 
 static const struct kind *kind_of(qv_storage storage)
@@ -48,6 +50,11 @@ bool storage_is_indexed(qv_storage storage)
 bool storage_holds_extinction(qv_storage storage)
 {
     return kind_of(storage)->extinction == storage;
+}
+
+bool storage_is_associated(qv_storage storage)
+{
+    return storage == QV_STORAGE_ASSOCIATED8;
 }
 
 qv_storage storage_with_extinction(qv_storage storage)

@@ -16,7 +16,10 @@ unsigned storage_channel_bytes(qv_storage storage);
 bool storage_is_indexed(qv_storage storage);
 bool storage_holds_extinction(qv_storage storage);
 
-/* The same with the other kind of fourth channel. */
+/* Whether colours are weighted by opacity, once the voxels have been classified. */
+bool storage_is_associated(qv_storage storage);
+
+/* The same with the other kind of fourth channel; of opacity, colours are not weighted. */
 qv_storage storage_with_extinction(qv_storage storage);
 qv_storage storage_with_opacity(qv_storage storage);
 

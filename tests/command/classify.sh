@@ -129,6 +129,7 @@ array indexed8 c
 array indexed8 h
 array "indexed8, 16-bit palette" h --palette-bits 16
 array rgba8 c --storage rgba8 --tf surface
+array associated8 h --storage associated8 --tf surface
 array "rgba16, shaded" h --storage rgba16 --tf surface --shade
 array rgbt8 c --storage rgbt8 --tf surface
 array rgbt16 h --storage rgbt16 --tf surface

@@ -122,8 +122,8 @@ def mutate(data, head, chance):
     return bytes(data)
 
 OPTIONS = {
-    "--sampling": ("weighted", "extinction", "bspline-weighted", "bspline-extinction", "nearest"),
-    "--storage": ("rgba8", "rgba16", "indexed8", "rgbt8", "rgbt16"),
+    "--sampling": ("weighted", "extinction", "bspline-weighted", "bspline-extinction", "nearest", "preweighted"),
+    "--storage": ("rgba8", "rgba16", "indexed8", "rgbt8", "rgbt16", "associated8"),
     "--unit-distance": ("0.00390625", "0.3", "1", "7.5", "4096", "nan"),
     "--extinction": ("auto", "0.0000152587890625", "0.2", "64", "65535", "65536"),
     "--level": ("auto", "0", "0.004", "1.5", "4", "5", "12", "-0", "1e9"),
