@@ -9,8 +9,14 @@
 #include "composite.h"
 #include "sample.h"
 
-/* What modes that know no lengths make of a scene: nothing but the check that they
-   need to know none. QV_OK, QV_ERROR_UNIT. */
+/* Modes that know no lengths take opacities as they are. QV_OK, QV_ERROR_UNIT. */
+static inline qv_status qv_steps_check(const qv_scene *scene)
+{
+    uint32_t unit = scene->volume.unit_distance;
+    return unit != 0 && unit != scene->camera.step ? QV_ERROR_UNIT : QV_OK;
+}
+
+/* What they make of a scene: nothing but that check and the volume's. */
 qv_status qv_prepare_steps(qv_context *context, const qv_scene *scene);
 
 FX_INLINE void qv_advance(qv_ray *ray)
@@ -20,17 +26,31 @@ FX_INLINE void qv_advance(qv_ray *ray)
         ray->place[axis] += ray->advance[axis];
 }
 
-/* Takes a ray's next sample and advances the ray, while its place is at hand; returns 0 where
-   there is nothing to see. */
+/* A mode that advances the ray too. */
+typedef int qv_taking(qv_sample *sample, qv_ray *ray, const qv_volume *volume, unsigned storage);
+
+/* Advances the ray while its place is at hand: qv_take_MODE. */
+#define QV_TAKE_CELL(mode)                                                                         \
+    FX_INLINE int qv_take_##mode(qv_sample *sample, qv_ray *ray, const qv_volume *volume,          \
+                                 unsigned storage)                                                 \
+    {                                                                                              \
+        qv_cell cell;                                                                              \
+        qv_cell_locate(&cell, volume, ray);                                                        \
+        qv_advance(ray);                                                                           \
+        FX_FORGET();                                                                               \
+        return qv_cell_##mode(sample, &cell, volume, storage);                                     \
+    }
+
+QV_TAKE_CELL(nearest)
+QV_TAKE_CELL(separate)
+QV_TAKE_CELL(weighted)
+
+/* Takes a ray's next sample, and advances it; returns 0 where there is nothing to see. */
 FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, qv_ray *ray, const qv_volume *volume,
-                      unsigned storage, qv_cell_mode *mode)
+                      unsigned storage, qv_taking *mode)
 {
-    qv_cell cell;
     qv_sample sample;
-    qv_cell_locate(&cell, volume, ray);
-    qv_advance(ray);
-    FX_FORGET();
-    if (!mode(&sample, &cell, volume, storage))
+    if (!mode(&sample, ray, volume, storage))
         return 0;
     for (unsigned c = 0; c < 3; c++)
         colour[c] = fx_sum_bits(sample.light[c]);
@@ -40,7 +60,7 @@ FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, qv_ray *ray, const 
 
 /* Front to back. ray->samples counts down to those that were not taken. */
 FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
-                        qv_cell_mode *mode)
+                        qv_taking *mode)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_ray_clip(ray, context);
@@ -72,7 +92,7 @@ FX_INLINE void qv_reverse(qv_ray *ray)
 
 /* Back to front: every sample is taken. */
 FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *context,
-                             unsigned storage, qv_cell_mode *mode)
+                             unsigned storage, qv_taking *mode)
 {
     qv_ray_clip(ray, context);
     for (qv_reverse(ray); ray->samples != 0; ray->samples--) {
@@ -89,25 +109,32 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
  * because the descriptors are public names; the code is `march`, qv_march or a port's twin of
  * it, and qv_march_back.
  */
-#define QV_DEFINE_SAMPLING(mode, suffix, storage, read_out, march)                                 \
+#define QV_DEFINE_SAMPLING(march, mode, suffix, prepare, sample, read_out, storage)                \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
-        march(light, ray, context, storage, qv_cell_##mode);                                       \
+        march(light, ray, context, storage, sample);                                               \
     }                                                                                              \
     static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
     {                                                                                              \
-        qv_march_back(light, ray, context, storage, qv_cell_##mode);                               \
+        qv_march_back(light, ray, context, storage, sample);                                       \
     }                                                                                              \
-    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {qv_prepare_steps, march_##suffix, read_out,  \
-                                                      storage, 0};                                 \
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage,  \
+                                                      0};                                          \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_back_to_front = {                             \
-        qv_prepare_steps, march_back_##suffix, read_out, storage, 0};
+        prepare, march_back_##suffix, read_out, storage, 0};
 
-/* The same for every storage of opacity: march8 for entries of 8 bits. */
-#define QV_DEFINE_SAMPLINGS(mode, march8)                                                          \
-    QV_DEFINE_SAMPLING(mode, rgba8, QV_STORAGE_RGBA8, QV_READ_OUT_8, march8)                       \
-    QV_DEFINE_SAMPLING(mode, rgba16, QV_STORAGE_RGBA16, QV_READ_OUT_16, qv_march)                  \
-    QV_DEFINE_SAMPLING(mode, indexed8, QV_STORAGE_INDEXED8, QV_READ_OUT_8, march8)                 \
-    QV_DEFINE_SAMPLING(mode, indexed8_16, QV_STORAGE_INDEXED8_16, QV_READ_OUT_16, qv_march)
+#define QV_DEFINE_STEPS(mode, suffix, read_out, storage)                                           \
+    QV_DEFINE_SAMPLING(qv_march, mode, suffix, qv_prepare_steps, qv_take_##mode, read_out, storage)
+
+/* DEFINE for each storage that modes without lengths take. */
+#define QV_STEPS_ENTRIES(DEFINE, mode)                                                             \
+    DEFINE(mode, rgba8, QV_READ_OUT_8, QV_STORAGE_RGBA8)                                           \
+    DEFINE(mode, rgba16, QV_READ_OUT_16, QV_STORAGE_RGBA16)
+#define QV_STEPS_INDEXED(DEFINE, mode)                                                             \
+    DEFINE(mode, indexed8, QV_READ_OUT_8, QV_STORAGE_INDEXED8)                                     \
+    DEFINE(mode, indexed8_16, QV_READ_OUT_16, QV_STORAGE_INDEXED8_16)
+#define QV_EACH_STEPS(DEFINE, mode)                                                                \
+    QV_STEPS_ENTRIES(DEFINE, mode)                                                                 \
+    QV_STEPS_INDEXED(DEFINE, mode)
 
 #endif /* QV_MARCH_H */

@@ -103,7 +103,7 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
  * Defines the sampling mode qv_MODE_SUFFIX of a family for a storage, in both orders.
  * Macros because the descriptors are public names; the code is qv_march_lengths.
  */
-#define QV_DEFINE_LENGTHS(mode, suffix, kind, family, read_out, storage)                           \
+#define QV_DEFINE_BY_LENGTH(mode, suffix, prepare, family, read_out, storage)                      \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
         qv_march_lengths(light, ray, context, storage, family);                                    \
@@ -112,30 +112,45 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     {                                                                                              \
         qv_march_lengths_back(light, ray, context, storage, family);                               \
     }                                                                                              \
-    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {qv_prepare_##kind, march_##suffix, read_out, \
-                                                      storage, 1};                                 \
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage,  \
+                                                      1};                                          \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_back_to_front = {                             \
-        qv_prepare_##kind, march_back_##suffix, read_out, storage, 1};
+        prepare, march_back_##suffix, read_out, storage, 1};
+
+#define QV_DEFINE_LENGTHS(mode, suffix, kind, family, read_out, storage)                           \
+    QV_DEFINE_BY_LENGTH(mode, suffix, qv_prepare_##kind, family, read_out, storage)
 
 /* DEFINE for each storage of opacity-based modes: those that hold opacity. */
-#define QV_EACH_CORRECTED(DEFINE, mode, family)                                                    \
+#define QV_CORRECTED_ENTRIES(DEFINE, mode, family)                                                 \
     DEFINE(mode, rgba8, corrected, family, QV_READ_OUT_8, QV_STORAGE_RGBA8)                        \
-    DEFINE(mode, rgba16, corrected, family, QV_READ_OUT_16, QV_STORAGE_RGBA16)                     \
+    DEFINE(mode, rgba16, corrected, family, QV_READ_OUT_16, QV_STORAGE_RGBA16)
+#define QV_CORRECTED_INDEXED(DEFINE, mode, family)                                                 \
     DEFINE(mode, indexed8, corrected, family, QV_READ_OUT_8, QV_STORAGE_INDEXED8)                  \
     DEFINE(mode, indexed8_16, corrected, family, QV_READ_OUT_16, QV_STORAGE_INDEXED8_16)
+#define QV_EACH_CORRECTED(DEFINE, mode, family)                                                    \
+    QV_CORRECTED_ENTRIES(DEFINE, mode, family)                                                     \
+    QV_CORRECTED_INDEXED(DEFINE, mode, family)
 
 /* Of extinction-based modes: those that hold extinction, */
-#define QV_EACH_EXTINCTION(DEFINE, mode, family)                                                   \
+#define QV_EXTINCTION_ENTRIES(DEFINE, mode, family)                                                \
     DEFINE(mode, rgbt8, extinction, family, QV_READ_OUT_8, QV_STORAGE_RGBT8)                       \
-    DEFINE(mode, rgbt16, extinction, family, QV_READ_OUT_16, QV_STORAGE_RGBT16)                    \
+    DEFINE(mode, rgbt16, extinction, family, QV_READ_OUT_16, QV_STORAGE_RGBT16)
+#define QV_EXTINCTION_INDEXED(DEFINE, mode, family)                                                \
     DEFINE(mode, indexed8_t8, extinction, family, QV_READ_OUT_8, QV_STORAGE_INDEXED8_T8)           \
     DEFINE(mode, indexed8_t16, extinction, family, QV_READ_OUT_16, QV_STORAGE_INDEXED8_T16)
+#define QV_EACH_EXTINCTION(DEFINE, mode, family)                                                   \
+    QV_EXTINCTION_ENTRIES(DEFINE, mode, family)                                                    \
+    QV_EXTINCTION_INDEXED(DEFINE, mode, family)
 
 /* and those that hold opacity, which is converted. */
-#define QV_EACH_CONVERTED(DEFINE, mode, family)                                                    \
+#define QV_CONVERTED_ENTRIES(DEFINE, mode, family)                                                 \
     DEFINE(mode, rgba8, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA8)                \
-    DEFINE(mode, rgba16, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA16)              \
+    DEFINE(mode, rgba16, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA16)
+#define QV_CONVERTED_INDEXED(DEFINE, mode, family)                                                 \
     DEFINE(mode, indexed8, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_INDEXED8)          \
     DEFINE(mode, indexed8_16, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_INDEXED8_16)
+#define QV_EACH_CONVERTED(DEFINE, mode, family)                                                    \
+    QV_CONVERTED_ENTRIES(DEFINE, mode, family)                                                     \
+    QV_CONVERTED_INDEXED(DEFINE, mode, family)
 
 #endif /* QV_MARCH_LENGTHS_H */

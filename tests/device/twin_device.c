@@ -103,8 +103,8 @@ static int32_t compare(unsigned storage)
     make_light(&light);
     other = light;
     twin = ray;
-    qv_march(&light, &ray, &context, storage, qv_cell_weighted);
-    QV_MARCH_WEIGHTED8(&other, &twin, &context, storage, qv_cell_weighted);
+    qv_march(&light, &ray, &context, storage, qv_take_weighted);
+    QV_MARCH_WEIGHTED8(&other, &twin, &context, storage, qv_take_weighted);
     return same(&light, &other, &ray, &twin) ? (int32_t)(ray.all - ray.samples) : -1;
 }
 

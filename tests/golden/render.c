@@ -62,7 +62,9 @@ qv_status golden_make(qv_scene *scene, golden_memory *memory, const golden_scene
         status = golden_pyramid(memory, &scene->volume, golden);
         scene->pyramid = &memory->pyramid;
     }
-    return status == QV_OK ? point_camera(scene, golden) : status;
+    if (status == QV_OK)
+        status = point_camera(scene, golden);
+    return status == QV_OK && memory->change ? memory->change(scene, memory) : status;
 }
 
 void golden_untouch(golden_memory *memory)

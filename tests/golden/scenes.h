@@ -229,8 +229,12 @@ enum { GOLDEN_VOXEL_BYTES = 5120, GOLDEN_SCALARS = 512, GOLDEN_PIXEL_BYTES = 256
 /* Most pixels of a picture of splats, and the sums that they take: of all, and of a part. */
 enum { GOLDEN_SPLAT_PIXELS = 36, GOLDEN_SUMS = GOLDEN_SPLAT_PIXELS * QV_SUM_CHANNELS };
 
+/* Something that is done with a scene once it is made. */
+typedef qv_status golden_change(qv_scene *scene, struct golden_memory *memory);
+
 /* All that a scene's data needs. */
 typedef struct golden_memory {
+    golden_change *change; /* null: nothing */
     qv_transfer table;
     uint8_t palette[QV_PALETTE_ENTRIES][4];
     uint16_t scalars[GOLDEN_SCALARS];        /* once they are classified, the coarser levels */

@@ -1,7 +1,7 @@
 /*
  * march_thumb2.S - front to back through opacity-weighted samples of 8-bit entries, for cores
  * with Thumb-2 (ARMv7-M, ARMv7E-M, ARMv8-M with the main extension): twins of qv_march with
- * qv_cell_weighted, to the bit. C spills what 14 registers hold here.
+ * qv_take_weighted, to the bit. C spills what 14 registers hold here.
  *
  *     void twin_march_rgba8(twin_walk *walk);
  *     void twin_march_indexed8(twin_walk *walk);

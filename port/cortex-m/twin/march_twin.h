@@ -46,7 +46,7 @@ FX_INLINE void twin_axis_of(twin_axis *of, const qv_ray *ray, const qv_volume *v
 
 /* As qv_march does, up to where the ray stands afterwards. */
 FX_INLINE void twin_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
-                          qv_cell_mode *mode)
+                          qv_taking *mode)
 {
     (void)mode;
     const qv_volume *volume = &context->scene.volume;
