@@ -18,19 +18,19 @@ FX_INLINE void qv_advance_run(qv_run *run)
 }
 
 /* What a ray looks at: one volume, or two levels of a span. */
-typedef struct qv_sight {
+typedef struct qv_subject {
     const qv_volume *volume[2];
     struct qv_span *span;
-} qv_sight;
+} qv_subject;
 
 /* Looks at the point where a ray stands; returns 0 where there is nothing to see. */
-typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_sight *sight, unsigned storage,
-                    const qv_family *family);
+typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
+                    unsigned storage, const qv_family *family);
 
-FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
+FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
                                 unsigned storage, const qv_family *family)
 {
-    return family->mode(sample, ray, sight->volume[0], storage);
+    return family->mode(sample, ray, subject->volume[0], storage);
 }
 
 /*
@@ -39,7 +39,7 @@ FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_s
  */
 FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, qv_ray *ray,
                            const qv_context *context, unsigned storage, const qv_family *family,
-                           qv_look *look, const qv_sight *sight)
+                           qv_look *look, const qv_subject *subject)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_medium medium;
@@ -47,7 +47,7 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
     ray->samples -= run->ray.samples;
     for (; run->ray.samples != 0; qv_advance_run(run)) {
         qv_sample sample;
-        if (!look(&sample, &run->ray, sight, storage, family)) {
+        if (!look(&sample, &run->ray, subject, storage, family)) {
             light->skipped++;
             continue;
         }
@@ -65,13 +65,13 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
 FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *context,
                                 unsigned storage, const qv_family *family)
 {
-    const qv_sight sight = {{&context->scene.volume, 0}, 0};
+    const qv_subject subject = {{&context->scene.volume, 0}, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
     qv_path_clip(ray, context);
     while (qv_next_run(&run, ray, ray->leave, 0) &&
            qv_march_run(light, &gathered, &run, ray, context, storage, family, qv_look_at_volume,
-                        &sight))
+                        &subject))
         ;
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);

@@ -22,19 +22,26 @@ static inline qv_address qv_at(qv_address base, qv_offset offset)
     return base + (qv_address)offset;
 }
 
+/* Devices of up to 64 KB have no instruction that reads far, and need none. */
+#ifdef __AVR_HAVE_ELPM__
+#define FLASH_READ(width, address) pgm_read_##width##_far(address)
+#else
+#define FLASH_READ(width, address) pgm_read_##width((uint16_t)(address))
+#endif
+
 static inline uint8_t qv_read8(qv_address address)
 {
-    return pgm_read_byte_far(address);
+    return FLASH_READ(byte, address);
 }
 
 static inline uint16_t qv_read16(qv_address address)
 {
-    return pgm_read_word_far(address);
+    return FLASH_READ(word, address);
 }
 
 static inline uint32_t qv_read32(qv_address address)
 {
-    return pgm_read_dword_far(address);
+    return FLASH_READ(dword, address);
 }
 
 static inline int qv_aligned(qv_address address, unsigned alignment)
