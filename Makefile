@@ -39,11 +39,14 @@ endif
 # ---- The library: no package needed -----------------------------------------
 
 LIBRARY_SOURCES := $(sort $(wildcard core/*.c fixedpoint/*.c))
-# Twins of C in assembly, where a target has some: make TWINS= TARGET=... does without.
-TWINS ?= $(TARGET_TWINS)
-TWIN_CFLAGS := $(if $(TWINS),-I$(TARGET_TWIN_FOLDER) -DQV_TWIN_HEADER='"$(TARGET_TWIN_HEADER)"')
-LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o) $(TWINS:%=$(OUT)/$(TARGET_TWIN_FOLDER)/%.o)
-LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) $(TWIN_CFLAGS) \
+# Marches of the target's own, see core/march.h; make MARCH= TARGET=... does with those in C.
+MARCH ?= $(TARGET_MARCH)
+ifneq ($(MARCH),)
+MARCH_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
+MARCH_OBJECTS := $(TARGET_MARCH_SOURCES:%.S=$(OUT)/%.o)
+endif
+LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o) $(MARCH_OBJECTS)
+LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) $(MARCH_CFLAGS) \
 	-Icore -Ifixedpoint
 
 .PHONY: all lib
@@ -170,7 +173,7 @@ format: ## lay out every C file by .clang-format
 lint: ## layout, static analysis, shell scripts
 	clang-format --dry-run --Werror $(C_FILES)
 	cppcheck --std=c99 --quiet --error-exitcode=1 --enable=warning,portability,performance \
-		--inline-suppr --suppress=missingIncludeSystem -UQV_MEMORY_HEADER -UFX_TABLE_HEADER \
+		--inline-suppr --suppress=missingIncludeSystem -UQV_MEMORY_HEADER -UFX_TABLE_HEADER -UQV_MARCH_HEADER \
 		-Icore -Ifixedpoint core fixedpoint
 	shellcheck -S warning toolchain/setup toolchain/demo toolchain/dist tests/run $$(find tests port -name '*.sh') .ci/run
 

@@ -26,8 +26,8 @@ static inline qv_status qv_prepare_paged(qv_context *context, const qv_scene *sc
 }
 
 #define QV_DEFINE_STEPS_PAGED(mode, suffix, read_out, storage)                                     \
-    QV_DEFINE_SAMPLING(qv_march, mode, suffix##_paged, qv_prepare_steps_paged,                     \
-                       qv_take_paged_##mode, read_out, storage)
+    QV_DEFINE_SAMPLING(mode, suffix##_paged, qv_prepare_steps_paged, qv_take_paged_##mode,         \
+                       read_out, storage)
 
 /* The file that uses it defines prepare(). */
 #define QV_DEFINE_LENGTHS_PAGED(mode, suffix, kind, family, read_out, storage)                     \

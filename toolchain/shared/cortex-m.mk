@@ -10,9 +10,10 @@ TARGET_EMULATOR := qemu-system-arm -M $(TARGET_BOARD) -icount shift=8,sleep=off
 TARGET_PORT_FOLDER := port/cortex-m
 TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 
-# Assembly for all with Thumb-2; a target without it has twins of its own, or none.
-TARGET_TWIN_FOLDER := port/cortex-m/twin
-TARGET_TWIN_HEADER := march_twin.h
-TARGET_TWINS ?= march_thumb2
+# Marches (core/march.h): of a header, with what it needs in assembly.
+TARGET_MARCH ?= thumb2.h
+ifeq ($(TARGET_MARCH),thumb2.h)
+TARGET_MARCH_SOURCES := port/cortex-m/march_thumb2.S
+endif
 
 include toolchain/shared/firmware.mk

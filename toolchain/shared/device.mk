@@ -33,8 +33,8 @@ FIRMWARE_golden_splats := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_s
 FIRMWARE_golden_preweighted := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_preweighted_device.c \
 	set_preweighted.c)
 FIRMWARE_bench := tests/bench/bench_device.c
-FIRMWARE_twin := tests/device/twin_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
+FIRMWARE_marches := tests/device/marches.c
 FIRMWARE_blends := tests/bench/blends_device.c
 TARGET_BALL ?= port/ball_flash.c
 BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
@@ -45,9 +45,10 @@ TARGET_FIRMWARE += head
 FIRMWARE_head := port/firmware_head.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL).c $(OUT)/head.c
 endif
 
-TARGET_FIRMWARE += $(if $(TWINS),twin)
+# What the target's own marches compute beside what C does.
+TARGET_FIRMWARE += $(if $(MARCH),marches)
 
-DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TWIN_CFLAGS) $(TARGET_PORT_CFLAGS) \
+DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(MARCH_CFLAGS) $(TARGET_PORT_CFLAGS) \
 	-Icore -Ifixedpoint -Iport -I$(TARGET_PORT_FOLDER) -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
 DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CFLAGS) $(TARGET_LDFLAGS))

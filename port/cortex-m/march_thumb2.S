@@ -1,12 +1,14 @@
 /*
- * march_thumb2.S - front to back through opacity-weighted samples of 8-bit entries, for cores
- * with Thumb-2 (ARMv7-M, ARMv7E-M, ARMv8-M with the main extension): twins of qv_march with
+ * march_thumb2.S - opacity-weighted samples of 8-bit entries along a ray, for cores with Thumb-2
+ * (ARMv7-M, ARMv7E-M, ARMv8-M with the main extension): what qv_march and qv_march_back do with
  * qv_take_weighted, to the bit. C spills what 14 registers hold here.
  *
- *     void twin_march_rgba8(twin_walk *walk);
- *     void twin_march_indexed8(twin_walk *walk);
+ *     void thumb2_march_rgba8(thumb2_walk *walk);
+ *     void thumb2_march_back_rgba8(thumb2_walk *walk);
+ *     void thumb2_march_indexed8(thumb2_walk *walk);
+ *     void thumb2_march_back_indexed8(thumb2_walk *walk);
  *
- * r0 walks through what march_twin.h lays out, and is back at the x axis where a sample begins:
+ * r0 walks through what thumb2.h lays out, and is back at the x axis where a sample begins:
  *
  *     light, counter, threshold    r0 - 24 .. r0
  *     x axis, voxels               r0 .. r0 + 28
@@ -85,13 +87,22 @@
         orrs    r5, lr
         .endm
 
-/* \sum + round(\factor * transmittance / 2^32): the rounding lies in the lower half. */
-        .macro  composite sum, factor
+/* \sum + round(\factor * \by / 2^32): the rounding lies in the lower half. */
+        .macro  add_high sum, factor, by
         mov     r11, #HALF
-        umlal   r11, \sum, \factor, lr
+        umlal   r11, \sum, \factor, \by
         .endm
 
-        .macro  march name, indexed
+/* qv_over of one colour: less what the opacity r12 hides, and half of the sample's, rounded. */
+        .macro  over light, colour
+        movs    lr, #0
+        add_high lr, \light, r12
+        subs    \light, lr
+        lsrs    \colour, #1
+        adcs    \light, \colour
+        .endm
+
+        .macro  march name, indexed, back
         .section .text.\name, "ax", %progbits
         .balign 4
         .global \name
@@ -172,23 +183,34 @@
         corner_at sub, r10, r2, \indexed
         corner_at sub, r9, r3, \indexed
 
-        /* Under: r1, r2, r3 light; r8 the complement of the transmittance, so that what is taken
-           from that is added to it; r9 samples; r10 the threshold and 1. */
+        /* r1, r2, r3 light; r8 the complement of the transmittance, so that what is taken from
+           that is added to it; r9 samples; r10 the threshold and 1. */
         subs    r0, #(AXES + 24)
         ldmia   r0!, {r1-r3, r8-r10}
         mvn     lr, r8
-        composite r1, r5
-        composite r2, r6
-        composite r3, r7
-        add     r5, r4, r4, lsl #8      /* qv_opacity_q32 */
-        add     r5, r5, r4, lsr #8
-        add     r5, r5, r4, lsr #16
-        composite r8, r5
+        add     r12, r4, r4, lsl #8     /* qv_opacity_q32 */
+        add     r12, r12, r4, lsr #8
+        add     r12, r12, r4, lsr #16
+        .if     \back
+        add_high r8, r12, lr
+        over    r1, r5
+        over    r2, r6
+        over    r3, r7
+        .else
+        add_high r1, r5, lr
+        add_high r2, r6, lr
+        add_high r3, r7, lr
+        add_high r8, r12, lr
+        .endif
         subs    r9, #1
         stmdb   r0, {r1-r3, r8-r10}
+        .if     \back
+        bne     .Lsample_\name
+        .else
         beq     .Lend_\name
         cmn     r8, r10                 /* no carry: more than the threshold remains */
         bcc     .Lsample_\name
+        .endif
 .Lend_\name:
         pop     {r4-r11, pc}
 
@@ -216,5 +238,7 @@
         .size   \name, . - \name
         .endm
 
-        march   twin_march_rgba8, 0
-        march   twin_march_indexed8, 1
+        march   thumb2_march_rgba8, 0, 0
+        march   thumb2_march_back_rgba8, 0, 1
+        march   thumb2_march_indexed8, 1, 0
+        march   thumb2_march_back_indexed8, 1, 1
