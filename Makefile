@@ -39,8 +39,15 @@ endif
 # ---- The library: no package needed -----------------------------------------
 
 LIBRARY_SOURCES := $(sort $(wildcard core/*.c fixedpoint/*.c))
-LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o)
-LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) -Icore -Ifixedpoint
+# Marches of the target's own, see core/march.h; make MARCH= TARGET=... does with those in C.
+MARCH ?= $(TARGET_MARCH)
+ifneq ($(MARCH),)
+MARCH_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
+MARCH_OBJECTS := $(TARGET_MARCH_SOURCES:%.S=$(OUT)/%.o)
+endif
+LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o) $(MARCH_OBJECTS)
+LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) $(MARCH_CFLAGS) \
+	-Icore -Ifixedpoint
 ifneq ($(TARGET),host)
 LIBRARY_CFLAGS += -fstack-usage
 endif
@@ -77,6 +84,11 @@ $(OUT)/fixedpoint/%.o: fixedpoint/%.c $(OPTIONS)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
 
+$(OUT)/%.o: %.S $(OPTIONS)
+	@mkdir -p $(@D)
+	@echo "  AS  $<"
+	@$(TARGET_CC) $(TARGET_CFLAGS) -c $< -o $@
+
 -include $(LIBRARY_OBJECTS:.o=.d)
 
 # ---- What runs on the library -------------------------------------------------
@@ -96,7 +108,7 @@ firmware: ## firmware for a device: make firmware TARGET=cortex-m3
 endif
 
 # One of each processor.
-SIZE_TARGETS := $(filter-out cortex-m3-mps2 host-clang host-32,$(DEVICES))
+SIZE_TARGETS := $(filter-out cortex-m3-mps2 avr-ram host-clang host-32,$(DEVICES))
 
 .PHONY: size-lines size-update size-diff
 size: ## bytes of code, tables, contexts and stack on each target, by what a program uses
@@ -123,13 +135,22 @@ bench: $(QVOL) ## instructions per sample on the devices, samples per second on 
 
 # ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo gallery papers test test-exhaustive
+.PHONY: setup demo gallery picture papers test test-exhaustive test-devices devices
 setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
 demo: setup ## pictures of a real MRI, and of a microcontroller drawing it: build/demo/
 	@$(MAKE) -s --no-print-directory all
 	@toolchain/demo
+
+# On rv32imc's colour panel; PICTURE_TARGET=cortex-m3 has an OLED.
+PICTURE_TARGET ?= rv32imc
+
+picture: ## one picture, drawn by an emulated board: build/picture.png; needs its compiler and QEMU
+	@$(MAKE) -s --no-print-directory TARGET=$(PICTURE_TARGET) $(BUILD)/$(PICTURE_TARGET)/picture.elf
+	@BUILD=$(BUILD) toolchain/screenshot $(PICTURE_TARGET) $(BUILD)/$(PICTURE_TARGET)/picture.elf \
+		$(BUILD)/picture.png
+	@echo "  PNG $(BUILD)/picture.png"
 
 gallery: setup ## a head turning on the panels of emulated boards, beside the host's: build/gallery/
 	@toolchain/gallery $(BUILD)/gallery cortex-m3 rv32imc
@@ -140,6 +161,12 @@ papers: setup ## figures and numbers of the papers, recomputed: build/papers/
 
 test: setup ## everything that is tested; ends with "N passed, N failed"
 	@$(MAKE) --no-print-directory test-all
+
+test-devices: setup ## the golden scenes on every target: a matrix
+	@tests/run tests/device/golden.sh
+
+devices:
+	@echo "$(DEVICES)"
 
 test-exhaustive: ## every input of every fixed-point function: an hour or so
 	@$(MAKE) --no-print-directory exhaustive
