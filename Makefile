@@ -14,6 +14,8 @@ DEVICES := $(sort $(patsubst toolchain/%.mk,%,$(wildcard toolchain/*.mk)))
 OUT := $(BUILD)/$(TARGET)
 PREFIX ?= /usr/local
 LIBRARY := $(OUT)/libqvol.a
+DIST := $(BUILD)/dist
+AMALGAMATION := $(DIST)/amalgamation/qvol.c
 QVOL := $(BUILD)/host/qvol
 HOST_CC := $(CC)
 
@@ -98,7 +100,7 @@ bench: $(QVOL) ## instructions per sample on the devices, samples per second on 
 
 # ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo gallery papers test test-exhaustive
+.PHONY: setup demo gallery papers test test-exhaustive test-devices devices
 setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
@@ -116,6 +118,12 @@ papers: setup ## figures and numbers of the papers, recomputed: build/papers/
 test: setup ## everything that is tested; ends with "N passed, N failed"
 	@$(MAKE) --no-print-directory test-all
 
+test-devices: setup ## the golden scenes on every target: a matrix
+	@tests/run tests/device/golden.sh
+
+devices:
+	@echo "$(DEVICES)"
+
 test-exhaustive: ## every input of every fixed-point function: an hour or so
 	@$(MAKE) --no-print-directory exhaustive
 
@@ -127,12 +135,26 @@ install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL) $(MPI_COMMAND)) ## hea
 	install -m 644 core/qvol.h "$(DESTDIR)$(PREFIX)/include/qvol.h"
 	install -m 644 $(LIBRARY) "$(DESTDIR)$(PREFIX)/lib/libqvol.a"
 	version=$$(sed -n 's/^#define QV_VERSION  *"\(.*\)"/\1/p' core/qvol.h) && \
-	sed -e "s|@PREFIX@|$(PREFIX)|" -e "s|@VERSION@|$$version|" toolchain/qvol.pc.in \
+	sed -e "s|@PREFIX@|$(PREFIX)|" -e "s|@LIBDIR@|lib|" -e "s|@VERSION@|$$version|" \
+		port/pkg-config/qvol.pc.in \
 		> "$(DESTDIR)$(PREFIX)/lib/pkgconfig/qvol.pc"
 ifeq ($(TARGET),host)
 	install -d "$(DESTDIR)$(PREFIX)/bin"
 	install -m 755 $(QVOL) $(MPI_COMMAND) "$(DESTDIR)$(PREFIX)/bin"
 endif
+
+# ---- Packages: port/README.md says how to take them home ------------------------------
+
+.PHONY: dist amalgamation
+dist: amalgamation ## a package for each ecosystem below build/dist/
+	@toolchain/dist $(DIST) $(LIBRARY_SOURCES)
+
+amalgamation: $(AMALGAMATION) ## the library as one header and one source: build/dist/amalgamation/
+
+$(AMALGAMATION): toolchain/amalgamate $(LIBRARY_SOURCES) $(wildcard core/*.h fixedpoint/*.h)
+	@echo "  GEN $@"
+	@toolchain/amalgamate $(@D) $(LIBRARY_SOURCES)
+	@cp LICENSE CHANGELOG.md $(@D)
 
 # ---- Care -----------------------------------------------------------------------
 
@@ -145,9 +167,9 @@ format: ## lay out every C file by .clang-format
 lint: ## layout, static analysis, shell scripts
 	clang-format --dry-run --Werror $(C_FILES)
 	cppcheck --std=c99 --quiet --error-exitcode=1 --enable=warning,portability,performance \
-		--inline-suppr --suppress=missingIncludeSystem -UQV_MEMORY_HEADER -UFX_TABLE_HEADER \
+		--inline-suppr --suppress=missingIncludeSystem -UQV_MEMORY_HEADER -UFX_TABLE_HEADER -UQV_MARCH_HEADER \
 		-Icore -Ifixedpoint core fixedpoint
-	shellcheck -S warning toolchain/setup toolchain/demo tests/run $$(find tests port -name '*.sh') .ci/run
+	shellcheck -S warning toolchain/setup toolchain/demo toolchain/dist tests/run $$(find tests port -name '*.sh') .ci/run
 
 readme: ## write the figures of README.md anew
 	tests/bench/readme.sh

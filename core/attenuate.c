@@ -139,7 +139,7 @@ static int find_row(row *r, const pass *p, const int32_t begin[3], int32_t rows)
     return first < end && first < LINES;
 }
 
-static void pass_bundle(const pass *p, const int32_t begin[3], uint32_t rows)
+static FX_NOINLINE void pass_bundle(const pass *p, const int32_t begin[3], uint32_t rows)
 {
     bundle b;
     row r;
@@ -214,8 +214,9 @@ static int in_gaps(const qv_volume *volume, const void *to, const qv_attenuation
            place + qv_voxel_bytes(volume->storage) <= record;
 }
 
-static qv_status check_overlap(const void *to, const uint32_t *blocks,
-                               const qv_attenuation *attenuation, const qv_volume *volume)
+static FX_NOINLINE qv_status check_overlap(const void *to, const uint32_t *blocks,
+                                           const qv_attenuation *attenuation,
+                                           const qv_volume *volume)
 {
     uint64_t bytes = qv_attenuation_bytes(attenuation);
     uint64_t block_bytes = qv_blocks_bytes(volume->size);
@@ -241,8 +242,8 @@ static void set_direction(pass *p, uint8_t direction)
 }
 
 /* All that the volume's light depends on. */
-static qv_status prepare(pass *p, const qv_volume *volume, const qv_domain *domain,
-                         uint8_t direction)
+static FX_NOINLINE qv_status prepare(pass *p, const qv_volume *volume, const qv_domain *domain,
+                                     uint8_t direction)
 {
     if (QV_FIELD(domain, of_opacity) == qv_storage_extinction(volume->storage))
         return QV_ERROR_STORAGE;

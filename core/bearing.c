@@ -99,7 +99,7 @@ static qv_status set_part(qv_bearing *bearing, unsigned part, const qv_compass *
 }
 
 /* v as parts of its largest magnitude, Q2.30, on its axes by falling magnitude; and a last of 0. */
-static void split(unsigned axis[3], uint32_t part[4], const int32_t v[3])
+static FX_NOINLINE void split(unsigned axis[3], uint32_t part[4], const int32_t v[3])
 {
     sort_axes(axis, v);
     part[0] = ONE_Q30;
@@ -110,8 +110,8 @@ static void split(unsigned axis[3], uint32_t part[4], const int32_t v[3])
 
 /* Length of v's step as part of the longest, Q1.31, which none is longer than: the root of the
    squares may be, by its own error. */
-static uint32_t step_length(const qv_compass *compass, const unsigned axis[3],
-                            const uint32_t part[4])
+static FX_NOINLINE uint32_t step_length(const qv_compass *compass, const unsigned axis[3],
+                                        const uint32_t part[4])
 {
     const uint32_t longest = (uint32_t)1 << 31;
     uint32_t way[3];
@@ -122,8 +122,9 @@ static uint32_t step_length(const qv_compass *compass, const unsigned axis[3],
 }
 
 /* Between three directions. Where one has all of the share, its byte says it all. */
-static qv_status between(qv_bearing *bearing, const qv_compass *compass, const int32_t v[3],
-                         const unsigned axis[3], const uint32_t part[4], uint32_t length)
+static FX_NOINLINE qv_status between(qv_bearing *bearing, const qv_compass *compass,
+                                     const int32_t v[3], const unsigned axis[3],
+                                     const uint32_t part[4], uint32_t length)
 {
     bearing->of_depths = compass->interpolation == QV_BETWEEN_DEPTHS;
     for (unsigned i = 0; i < 3; i++) {
@@ -168,7 +169,7 @@ static void to_world(int32_t world[3], uint32_t size[3], const qv_compass *compa
 
 /* The direction of the set that is nearest by angle, of equals the one with the lowest number;
    QV_DIRECTIONS where all cosines are at most 1/2. */
-static uint8_t nearest_of(const qv_compass *compass, const int32_t v[3])
+static FX_NOINLINE uint8_t nearest_of(const qv_compass *compass, const int32_t v[3])
 {
     int32_t world[3];
     uint32_t size[3];
@@ -218,10 +219,9 @@ static int is_along(const int32_t v[3], const int8_t step[3])
 
 /* By the nearest direction, scaled to the length of v's step. */
 static qv_status nearest(qv_bearing *bearing, const qv_compass *compass, const int32_t v[3],
-                         uint32_t length)
+                         uint8_t direction, uint32_t length)
 {
     int8_t step[3];
-    uint8_t direction = nearest_of(compass, v);
     if (direction == QV_DIRECTIONS)
         return QV_ERROR_DIRECTION;
     qv_direction_step(step, direction);
@@ -239,8 +239,9 @@ qv_status qv_bearing_of(qv_bearing *bearing, uint32_t *length, const qv_compass 
     split(axis, part, v);
     *length = step_length(compass, axis, part);
     set_one(bearing, 0);
-    return compass->interpolation == QV_NEAREST ? nearest(bearing, compass, v, *length)
-                                                : between(bearing, compass, v, axis, part, *length);
+    if (compass->interpolation == QV_NEAREST)
+        return nearest(bearing, compass, v, nearest_of(compass, v), *length);
+    return between(bearing, compass, v, axis, part, *length);
 }
 
 /* Whether `sign` * v on one axis is more than `other_sign` * v on another, for some corner. */

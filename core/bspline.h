@@ -21,14 +21,13 @@ typedef struct qv_triple {
     fx_tap tap[2];   /* weights of the lower and the upper one */
 } qv_triple;
 
-/* Unsigned, an index below 0 lies above every size. */
-FX_INLINE void qv_triple_locate(qv_triple *triple, const qv_volume *volume, const qv_ray *ray,
-                                unsigned axis)
+/* Strides are bytes, or 1 for indices. Unsigned, an index below 0 lies above every size. */
+FX_INLINE void qv_triple_locate(qv_triple *triple, uint32_t size, qv_offset stride,
+                                const qv_ray *ray, unsigned axis)
 {
     uint64_t place = (uint64_t)(ray->place[axis] + ((qv_coord)1 << 31)); /* 1/2: of the voxel */
-    uint32_t index = (uint32_t)(place >> 32), last = volume->size[axis] - 1u;
+    uint32_t index = (uint32_t)(place >> 32), last = size - 1u;
     uint32_t fraction = (uint32_t)place >> 24; /* Q0.8 */
-    qv_offset stride = (qv_offset)volume->stride[axis];
     uint32_t middle = index > QV_AXIS_MAX ? 0 : index < last ? index : last;
     triple->at[1] = (qv_offset)middle * stride;
     triple->at[0] = triple->at[1] - (index - 1u < last ? stride : 0);
@@ -135,7 +134,8 @@ FX_INLINE int qv_bspline(qv_sample *sample, const qv_ray *ray, const qv_volume *
     qv_rows rows;
     fx_density density[QV_BSPLINE_TAPS];
     for (unsigned axis = 0; axis < 3; axis++)
-        qv_triple_locate(&triple[axis], volume, ray, axis);
+        qv_triple_locate(&triple[axis], volume->size[axis], (qv_offset)volume->stride[axis], ray,
+                         axis);
     qv_rows_locate(&rows, triple, volume);
     if (!qv_rows_any(&rows, volume, storage))
         return 0;

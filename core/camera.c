@@ -1,6 +1,7 @@
 #include "camera.h"
 
 #include "fx_angle.h"
+#include "fx_inline.h"
 #include "fx_wide.h"
 #include "layout.h"
 
@@ -31,13 +32,21 @@ void qv_rotation(int32_t rotation[3][3], qv_angle azimuth, qv_angle elevation, q
     }
 }
 
+/* Dissolves into both checks, since each links only its own. */
+FX_INLINE int frame_in_range(const qv_view *view)
+{
+    return view->width != 0 && view->width <= QV_PIXEL_MAX && view->height != 0 &&
+           view->height <= QV_PIXEL_MAX && view->pitch >= LEAST_PITCH && view->pitch <= MOST_PITCH;
+}
+
+qv_status qv_frame_check(const qv_volume *volume, const qv_view *view)
+{
+    return frame_in_range(view) ? qv_spacing_check(volume->spacing) : QV_ERROR_VIEW;
+}
+
 qv_status qv_view_check(const qv_volume *volume, const qv_view *view)
 {
-    if (view->width == 0 || view->width > QV_PIXEL_MAX)
-        return QV_ERROR_VIEW;
-    if (view->height == 0 || view->height > QV_PIXEL_MAX)
-        return QV_ERROR_VIEW;
-    if (view->pitch < LEAST_PITCH || view->pitch > MOST_PITCH)
+    if (!frame_in_range(view))
         return QV_ERROR_VIEW;
     if (view->step < LEAST_STEP || view->step > MOST_STEP)
         return QV_ERROR_STEP;

@@ -29,6 +29,9 @@ qv_coord qv_voxels(uint32_t length, const qv_volume *volume, unsigned axis);
    qv_orthographic. */
 qv_status qv_view_check(const qv_volume *volume, const qv_view *view);
 
+/* The same without the step, which splats do not read. */
+qv_status qv_frame_check(const qv_volume *volume, const qv_view *view);
+
 /* What leads from pixel (0, 0) to the centre of the frame, on one axis. */
 qv_coord qv_half_frame(const qv_camera *camera, unsigned axis, const qv_view *view);
 

@@ -3,6 +3,7 @@
 #include "access.h"
 #include "block.h"
 #include "entry.h"
+#include "fx_inline.h"
 #include "layout.h"
 #include "scalars.h"
 #include "shade.h"
@@ -69,7 +70,7 @@ static void classify_voxel(uint8_t *voxel, const pass *p, const uint16_t positio
     }
 }
 
-static void classify_block(uint8_t *voxel, const pass *p, const qv_block *block)
+static FX_NOINLINE void classify_block(uint8_t *voxel, const pass *p, const qv_block *block)
 {
     uint16_t at[3];
     for (at[2] = block->first[2]; at[2] < block->end[2]; at[2]++)
@@ -80,7 +81,7 @@ static void classify_block(uint8_t *voxel, const pass *p, const qv_block *block)
             }
 }
 
-static qv_status check_source(const qv_classifier *classifier)
+static FX_NOINLINE qv_status check_source(const qv_classifier *classifier)
 {
     qv_status status = qv_scalars_check(&classifier->scalars);
     if (status == QV_OK)

@@ -1,8 +1,10 @@
 #include "pyramid.h"
 
 #include "fx_wide.h"
+#include "block.h"
 #include "cell.h"
 #include "entry.h"
+#include "layout.h"
 
 QV_DESCRIPTOR qv_filter qv_filter_box2 = {0, 32};
 QV_DESCRIPTOR qv_filter qv_filter_box4 = {16, 16};
@@ -31,9 +33,8 @@ typedef struct sums {
 typedef struct row {
     const qv_volume *finer;
     const qv_domain *domain;
-    uint32_t tap[TAPS];     /* the filter on x */
-    uint32_t share[GROUPS]; /* on y and z, by the number of inner taps: <= 2^10 */
-    qv_offset y[TAPS], z[TAPS];
+    uint8_t outer, inner;      /* the filter's taps */
+    uint16_t y[TAPS], z[TAPS]; /* voxels at the taps of its results */
 } row;
 
 /* Index of a voxel, mirrored in a face that it lies beyond. From size + 1 a single voxel's
@@ -45,19 +46,18 @@ static uint16_t mirrored(int32_t at, uint16_t size)
     return (uint16_t)(at < 0 ? 0 : at);
 }
 
-/* From voxel 0 to a tap of result `at` on an axis. */
-static qv_offset tap_offset(const qv_volume *finer, unsigned axis, uint32_t at, uint32_t tap)
+/* The voxel at a tap of result `at` on an axis. */
+static uint16_t tap_index(const qv_volume *finer, unsigned axis, uint32_t at, uint32_t tap)
 {
-    uint16_t index = mirrored((int32_t)(2u * at + tap) - 1, finer->size[axis]);
-    return (qv_offset)index * (qv_offset)finer->stride[axis];
+    return mirrored((int32_t)(2u * at + tap) - 1, finer->size[axis]);
 }
 
 /* Where the fourth channel is 0, the weight is 0 in every domain. */
-static void add_voxel(sums *to, const row *r, qv_offset offset)
+static void add_voxel(sums *to, const row *r, const uint16_t at[3])
 {
     fx_unorm16 entry[4];
     const qv_volume *finer = r->finer;
-    qv_address voxel = qv_at(finer->voxels, offset);
+    qv_address voxel = qv_voxel_at(finer, at);
     qv_entry_read(entry, qv_entry(voxel, finer, finer->storage), finer->storage);
     if (entry[3] == 0)
         return;
@@ -73,16 +73,11 @@ static uint64_t times(uint64_t v, uint32_t share)
     return (uint64_t)fx_multiply((int64_t)v, (int32_t)share);
 }
 
-/* The sum of parts, each times its share. */
-static void weigh(sums *to, const sums *part, const uint32_t *share, unsigned parts)
+static void add(sums *to, const sums *part, uint32_t share)
 {
-    sums all = {0, {0, 0, 0}};
-    for (unsigned i = 0; i < parts; i++) {
-        all.weight += times(part[i].weight, share[i]);
-        for (unsigned c = 0; c < 3; c++)
-            all.light[c] += times(part[i].light[c], share[i]);
-    }
-    *to = all;
+    to->weight += times(part->weight, share);
+    for (unsigned c = 0; c < 3; c++)
+        to->light[c] += times(part->light[c], share);
 }
 
 static unsigned is_inner(unsigned tap)
@@ -90,23 +85,36 @@ static unsigned is_inner(unsigned tap)
     return tap == 1u || tap == 2u;
 }
 
-/* The column of voxels at one tap of result `at` on x: the filter over y and z. */
-static void sum_column(sums *to, const row *r, uint32_t at, uint32_t tap)
+/* The voxels of a column whose taps on y and z have so many inner ones. */
+static FX_NOINLINE void add_group(sums *to, const row *r, uint16_t x, unsigned group)
 {
-    sums part[GROUPS] = {{0, {0, 0, 0}}, {0, {0, 0, 0}}, {0, {0, 0, 0}}};
-    qv_offset x = tap_offset(r->finer, 0, at, tap);
     for (unsigned k = 0; k < TAPS; k++)
-        for (unsigned j = 0; j < TAPS; j++) {
-            unsigned group = is_inner(j) + is_inner(k);
-            if (r->share[group] != 0)
-                add_voxel(&part[group], r, x + r->y[j] + r->z[k]);
-        }
-    weigh(to, part, r->share, GROUPS);
+        for (unsigned j = 0; j < TAPS; j++)
+            if (is_inner(j) + is_inner(k) == group) {
+                const uint16_t at[3] = {x, r->y[j], r->z[k]};
+                add_voxel(to, r, at);
+            }
+}
+
+/* The column of voxels at one tap of result `at` on x: the filter over y and z. */
+static FX_NOINLINE void sum_column(sums *to, const row *r, uint32_t at, uint32_t tap)
+{
+    uint16_t x = tap_index(r->finer, 0, at, tap);
+    memset(to, 0, sizeof *to);
+    for (unsigned group = 0; group < GROUPS; group++) {
+        sums part = {0, {0, 0, 0}};
+        uint32_t share = (uint32_t)(group != 0 ? r->inner : r->outer) *
+                         (group == 2u ? r->inner : r->outer); /* <= 2^10 */
+        if (share == 0)
+            continue;
+        add_group(&part, r, x, group);
+        add(to, &part, share);
+    }
 }
 
 /* A result from its sums; black where nothing has weight. light + weight / 2 is at most
    65535 * 2^48 + 2^47. */
-static void resolve(fx_unorm16 entry[4], const sums *all, const qv_domain *domain)
+static FX_NOINLINE void resolve(fx_unorm16 entry[4], const sums *all, const qv_domain *domain)
 {
     uint64_t half = (uint64_t)1 << (FILTER_BITS - 1u);
     entry[3] = QV_FIELD(domain, channel)((uint32_t)((all->weight + half) >> FILTER_BITS));
@@ -114,51 +122,43 @@ static void resolve(fx_unorm16 entry[4], const sums *all, const qv_domain *domai
         entry[c] = all->weight == 0 ? 0 : fx_quotient16(all->light[c], all->weight);
 }
 
-/* A window of four columns moves along the row, two further from each result to the next. */
-static void make_row(uint8_t *out, const row *r)
+/* A window of four columns moves along the row, two further from each result to the next: so
+   two that end one window begin the next. */
+static FX_NOINLINE void make_row(uint8_t *out, const row *r)
 {
-    sums column[TAPS];
+    sums now, next = {0, {0, 0, 0}}, column;
     unsigned storage = r->finer->storage;
     uint32_t width = qv_coarser_size(r->finer->size[0]);
-    sum_column(&column[2], r, 0, 0);
-    sum_column(&column[3], r, 0, 1);
+    sum_column(&column, r, 0, 0);
+    add(&next, &column, r->outer);
+    sum_column(&column, r, 0, 1);
+    add(&next, &column, r->inner);
     for (uint32_t at = 0; at < width; at++) {
-        sums all;
         fx_unorm16 entry[4];
-        column[0] = column[2];
-        column[1] = column[3];
-        sum_column(&column[2], r, at, 2);
-        sum_column(&column[3], r, at, 3);
-        weigh(&all, column, r->tap, TAPS);
-        resolve(entry, &all, r->domain);
+        now = next;
+        memset(&next, 0, sizeof next);
+        sum_column(&column, r, at, 2);
+        add(&now, &column, r->inner);
+        add(&next, &column, r->outer);
+        sum_column(&column, r, at, 3);
+        add(&now, &column, r->outer);
+        add(&next, &column, r->inner);
+        resolve(entry, &now, r->domain);
         qv_entry_write(out, storage, entry);
         out += qv_entry_bytes(storage);
     }
 }
 
-static void set_filter(row *r, const qv_filter *filter)
-{
-    uint32_t outer = QV_FIELD(filter, outer), inner = QV_FIELD(filter, inner);
-    r->tap[0] = r->tap[3] = outer;
-    r->tap[1] = r->tap[2] = inner;
-    r->share[0] = outer * outer;
-    r->share[1] = outer * inner;
-    r->share[2] = inner * inner;
-}
-
-static void set_taps(qv_offset offset[TAPS], const qv_volume *finer, unsigned axis, uint32_t at)
+static void set_taps(uint16_t index[TAPS], const qv_volume *finer, unsigned axis, uint32_t at)
 {
     for (uint32_t tap = 0; tap < TAPS; tap++)
-        offset[tap] = tap_offset(finer, axis, at, tap);
+        index[tap] = tap_index(finer, axis, at, tap);
 }
 
-static qv_status check(const qv_volume *finer, const qv_filter *filter, const qv_domain *domain)
+static FX_NOINLINE qv_status check(const qv_volume *finer, const qv_filter *filter,
+                                   const qv_domain *domain)
 {
-    /* Spacing is not read, and that of a deep level may be out of a volume's range. */
-    qv_volume volume = *finer;
-    for (unsigned axis = 0; axis < 3; axis++)
-        volume.spacing[axis] = 0;
-    qv_status status = qv_volume_check(&volume);
+    qv_status status = qv_voxels_check(finer);
     if (status != QV_OK)
         return status;
     if (qv_storage_associated(finer->storage) ||
@@ -187,9 +187,8 @@ qv_status qv_downsample(void *voxels, size_t bytes, const qv_volume *finer, cons
     if (bytes < fx_wide_product(row_bytes, rows)) /* <= 2^14 * 2^22 */
         return QV_ERROR_BUFFER;
 
-    row r = {finer, domain, {0}, {0}, {0}, {0}};
+    row r = {finer, domain, QV_FIELD(filter, outer), QV_FIELD(filter, inner), {0}, {0}};
     uint8_t *out = (uint8_t *)voxels;
-    set_filter(&r, filter);
     for (uint32_t z = first_z; z < end_z; z++) {
         set_taps(r.z, finer, 2, z);
         for (uint32_t y = 0; y < height; y++, out += row_bytes) {

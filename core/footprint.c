@@ -14,11 +14,8 @@
 void qv_footprint_of(qv_footprint *footprint, const qv_kernel *kernel, int64_t centre,
                      uint32_t size)
 {
-    uint32_t half = size / 2u * QV_FIELD(kernel, halves); /* 2^10 .. 3 * 2^27 */
-    footprint->kernel = kernel;
-    footprint->centre = centre;
-    footprint->size = size;
-    footprint->half = half;
+    qv_footprint_place(footprint, kernel, centre, size);
+    uint32_t half = footprint->half;
     footprint->shift = 0;
     for (; half >> 30 == 0; half <<= 1)
         footprint->shift++; /* at most 20 */

@@ -7,8 +7,9 @@
 
 #include <stdint.h>
 
-/* Words of a number below 2^224, the lowest first. */
-#define QV_SQUARE_WORDS 7
+/* Words of numbers up to 2^96 and below 2^160, the lowest first. */
+#define QV_SQUARE_WORDS 4
+#define QV_LEAST_WORDS  5
 
 /*
  * What a gradient is measured by. With S the spacing in Q16.16, d[a] the
@@ -17,12 +18,14 @@
  * unit, hence along d[x] * S[y] * S[z], .... It is long enough where
  * |g| * 256 / W >= L; free of divisions and roots, that is
  *   sum of d[a]^2 * square[a] >= least
- *   square[x] = (S[y] * S[z])^2 * 2^46, ...   least = (L * W * S[x]*S[y]*S[z])^2
+ *   square[x] = (S[y] * S[z])^2, ...   least = (L * W * S[x]*S[y]*S[z])^2 / 2^46
+ * where least is rounded up, which changes nothing for whole numbers. Sums stay below
+ * 3 * 2^(32 + 96); a least that none can reach may be any number above.
  */
 typedef struct qv_gradient {
     uint64_t scale[3]; /* S[y]*S[z], ...: at most 2^48 */
     uint32_t square[3][QV_SQUARE_WORDS];
-    uint32_t least[QV_SQUARE_WORDS];
+    uint32_t least[QV_LEAST_WORDS];
 } qv_gradient;
 
 /* Spacings of qv_spacing_check, 0 read as 1; 0 < window < 2^18. */

@@ -39,7 +39,7 @@ static void light_voxel(uint8_t *to, const pass *p, const uint16_t position[3])
     qv_entry_write(to, volume->storage, entry);
 }
 
-static void light_block(uint8_t *to, const pass *p, const qv_block *block)
+static FX_NOINLINE void light_block(uint8_t *to, const pass *p, const qv_block *block)
 {
     uint16_t at[3];
     for (at[2] = block->first[2]; at[2] < block->end[2]; at[2]++)
@@ -75,7 +75,7 @@ static int in_place(uintptr_t distance, const qv_volume *volume, const qv_block 
 }
 
 /* Whether a block would be written over what it is made of. */
-static int overlaps(const void *to, const pass *p, const qv_block *block)
+static FX_NOINLINE int overlaps(const void *to, const pass *p, const qv_block *block)
 {
     uint64_t bytes = qv_block_bytes(block, qv_entry_bytes(p->volume->storage));
     uintptr_t distance;
@@ -88,7 +88,7 @@ static int overlaps(const void *to, const pass *p, const qv_block *block)
 }
 
 /* Checks what is lit, and by what. */
-static qv_status prepare(pass *p, uint8_t interpolation)
+static FX_NOINLINE qv_status check(const pass *p, uint8_t interpolation)
 {
     qv_status status = qv_volume_check(p->volume);
     if (status == QV_OK)
@@ -97,9 +97,14 @@ static qv_status prepare(pass *p, uint8_t interpolation)
         status = QV_ERROR_DIRECTION;
     if (status != QV_OK || p->lighting->count == 0)
         return status;
-    status = check_attenuation(p->attenuation, p->volume->size);
-    if (status != QV_OK)
-        return status;
+    return check_attenuation(p->attenuation, p->volume->size);
+}
+
+/* The bearings of lamps, if any shines. */
+static qv_status set_lamps(pass *p, uint8_t interpolation)
+{
+    if (p->lighting->count == 0)
+        return QV_OK;
     p->record = qv_attenuation_record(p->attenuation);
     qv_compass compass;
     qv_compass_of(&compass, p->volume, p->attenuation->directions, interpolation);
@@ -115,7 +120,9 @@ qv_status qv_illuminate(void *voxels, size_t bytes, const qv_volume *volume,
     pass p = {.volume = volume,
               .attenuation = lighting->count != 0 ? attenuation : NULL,
               .lighting = lighting};
-    qv_status status = prepare(&p, interpolation);
+    qv_status status = check(&p, interpolation);
+    if (status == QV_OK)
+        status = set_lamps(&p, interpolation);
     if (status != QV_OK)
         return status;
     if (!qv_block_valid(block, volume->size))

@@ -29,6 +29,16 @@ typedef struct qv_footprint {
     uint8_t shift;       /* and by how much half was doubled for that */
 } qv_footprint;
 
+/* What of a footprint tells its pixels, but no weights: all but the reciprocal and its shift. */
+static inline void qv_footprint_place(qv_footprint *footprint, const qv_kernel *kernel,
+                                      int64_t centre, uint32_t size)
+{
+    footprint->kernel = kernel;
+    footprint->centre = centre;
+    footprint->size = size;
+    footprint->half = size / 2u * QV_FIELD(kernel, halves); /* 2^10 .. 3 * 2^27 */
+}
+
 void qv_footprint_of(qv_footprint *footprint, const qv_kernel *kernel, int64_t centre,
                      uint32_t size);
 

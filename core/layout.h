@@ -13,6 +13,9 @@
 qv_status qv_layout_check(const uint16_t size[3], const int32_t stride[3], uint64_t bytes,
                           uint32_t element_bytes, uint32_t alignment);
 
+/* qv_volume_check of all but the spacing, which may be out of range for a deep level. */
+qv_status qv_voxels_check(const qv_volume *volume);
+
 /* Whether each spacing is 0 or 1/16 .. 256. QV_OK, QV_ERROR_SPACING. */
 qv_status qv_spacing_check(const uint32_t spacing[3]);
 

@@ -6,7 +6,9 @@
 
 qv_status qv_level_check(const qv_scene *scene)
 {
-    qv_status status = qv_pyramid_check(&scene->volume, scene->pyramid);
+    qv_status status = qv_volume_check(&scene->volume);
+    if (status == QV_OK)
+        status = qv_pyramid_check(&scene->volume, scene->pyramid);
     if (status != QV_OK)
         return status;
     int rises = scene->level_distance != 0, has_eye = scene->camera.pace[0] != 0;

@@ -16,19 +16,25 @@ qv_status qv_lighting_check(const qv_lighting *lighting)
     return QV_OK;
 }
 
+/* The way to a lamp, in voxels of this spacing. */
+static FX_NOINLINE void way_to(int32_t way[3], const qv_lamp *lamp, const uint32_t spacing[3])
+{
+    int64_t world[3], v[3];
+    for (unsigned axis = 0; axis < 3; axis++) /* at most 2^55, and in voxels 2^43 */
+        world[axis] = lamp->direction[axis] * ((int64_t)1 << 40);
+    qv_bearing_voxels(v, world, spacing);
+    (void)qv_bearing_scale(way, v);
+}
+
 qv_status qv_lighting_bearings(qv_bearing lamp[QV_LAMPS_MAX], const qv_lighting *lighting,
                                const qv_compass *compass, const uint32_t spacing[3])
 {
     qv_status status = QV_OK;
     for (unsigned i = 0; status == QV_OK && i < lighting->count; i++) {
-        int64_t world[3], v[3];
-        int32_t scaled[3];
+        int32_t way[3];
         uint32_t length;
-        for (unsigned axis = 0; axis < 3; axis++) /* at most 2^55, and in voxels 2^43 */
-            world[axis] = lighting->lamps[i].direction[axis] * ((int64_t)1 << 40);
-        qv_bearing_voxels(v, world, spacing);
-        (void)qv_bearing_scale(scaled, v);
-        status = qv_bearing_of(&lamp[i], &length, compass, scaled);
+        way_to(way, &lighting->lamps[i], spacing);
+        status = qv_bearing_of(&lamp[i], &length, compass, way);
     }
     return status;
 }

@@ -9,8 +9,14 @@
 #include "composite.h"
 #include "sample.h"
 
-/* What modes that know no lengths make of a scene: nothing but the check that they
-   need to know none. QV_OK, QV_ERROR_UNIT. */
+/* Modes that know no lengths take opacities as they are. QV_OK, QV_ERROR_UNIT. */
+static inline qv_status qv_steps_check(const qv_scene *scene)
+{
+    uint32_t unit = scene->volume.unit_distance;
+    return unit != 0 && unit != scene->camera.step ? QV_ERROR_UNIT : QV_OK;
+}
+
+/* What they make of a scene: nothing but that check and the volume's. */
 qv_status qv_prepare_steps(qv_context *context, const qv_scene *scene);
 
 FX_INLINE void qv_advance(qv_ray *ray)
@@ -20,17 +26,31 @@ FX_INLINE void qv_advance(qv_ray *ray)
         ray->place[axis] += ray->advance[axis];
 }
 
-/* Takes a ray's next sample and advances the ray, while its place is at hand; returns 0 where
-   there is nothing to see. */
+/* A mode that advances the ray too. */
+typedef int qv_taking(qv_sample *sample, qv_ray *ray, const qv_volume *volume, unsigned storage);
+
+/* Advances the ray while its place is at hand: qv_take_MODE. */
+#define QV_TAKE_CELL(mode)                                                                         \
+    FX_INLINE int qv_take_##mode(qv_sample *sample, qv_ray *ray, const qv_volume *volume,          \
+                                 unsigned storage)                                                 \
+    {                                                                                              \
+        qv_cell cell;                                                                              \
+        qv_cell_locate(&cell, volume, ray);                                                        \
+        qv_advance(ray);                                                                           \
+        FX_FORGET();                                                                               \
+        return qv_cell_##mode(sample, &cell, volume, storage);                                     \
+    }
+
+QV_TAKE_CELL(nearest)
+QV_TAKE_CELL(separate)
+QV_TAKE_CELL(weighted)
+
+/* Takes a ray's next sample, and advances it; returns 0 where there is nothing to see. */
 FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, qv_ray *ray, const qv_volume *volume,
-                      unsigned storage, qv_cell_mode *mode)
+                      unsigned storage, qv_taking *mode)
 {
-    qv_cell cell;
     qv_sample sample;
-    qv_cell_locate(&cell, volume, ray);
-    qv_advance(ray);
-    FX_FORGET();
-    if (!mode(&sample, &cell, volume, storage))
+    if (!mode(&sample, ray, volume, storage))
         return 0;
     for (unsigned c = 0; c < 3; c++)
         colour[c] = fx_sum_bits(sample.light[c]);
@@ -40,7 +60,7 @@ FX_INLINE int qv_take(uint32_t colour[3], uint32_t *opacity, qv_ray *ray, const 
 
 /* Front to back. ray->samples counts down to those that were not taken. */
 FX_INLINE void qv_march(qv_light *light, qv_ray *ray, const qv_context *context, unsigned storage,
-                        qv_cell_mode *mode)
+                        qv_taking *mode)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_ray_clip(ray, context);
@@ -72,7 +92,7 @@ FX_INLINE void qv_reverse(qv_ray *ray)
 
 /* Back to front: every sample is taken. */
 FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *context,
-                             unsigned storage, qv_cell_mode *mode)
+                             unsigned storage, qv_taking *mode)
 {
     qv_ray_clip(ray, context);
     for (qv_reverse(ray); ray->samples != 0; ray->samples--) {
@@ -85,27 +105,58 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
 }
 
 /*
+ * A target with vector instructions names a header in QV_MARCH_HEADER that defines
+ * qv_march_vectors: it does the same as qv_march, or qv_march_back if `back` is set, to the
+ * last bit, and returns 1; or it does nothing and returns 0, for scenes that it leaves alone.
+ */
+#ifdef QV_MARCH_HEADER
+#include QV_MARCH_HEADER
+#else
+FX_INLINE int qv_march_vectors(qv_light *light, qv_ray *ray, const qv_context *context,
+                               unsigned storage, qv_taking *mode, int back)
+{
+    (void)light;
+    (void)ray;
+    (void)context;
+    (void)storage;
+    (void)mode;
+    (void)back;
+    return 0;
+}
+#endif
+
+/*
  * Defines the sampling mode qv_MODE_SUFFIX for a storage, in both orders. A macro
  * because the descriptors are public names; the code is qv_march.
  */
-#define QV_DEFINE_SAMPLING(mode, suffix, storage, read_out)                                        \
+#define QV_DEFINE_SAMPLING(mode, suffix, prepare, sample, read_out, storage)                       \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
-        qv_march(light, ray, context, storage, qv_cell_##mode);                                    \
+        if (!qv_march_vectors(light, ray, context, storage, sample, 0))                            \
+            qv_march(light, ray, context, storage, sample);                                        \
     }                                                                                              \
     static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
     {                                                                                              \
-        qv_march_back(light, ray, context, storage, qv_cell_##mode);                               \
+        if (!qv_march_vectors(light, ray, context, storage, sample, 1))                            \
+            qv_march_back(light, ray, context, storage, sample);                                   \
     }                                                                                              \
-    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {qv_prepare_steps, march_##suffix, read_out,  \
-                                                      storage, 0};                                 \
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage,  \
+                                                      0};                                          \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_back_to_front = {                             \
-        qv_prepare_steps, march_back_##suffix, read_out, storage, 0};
+        prepare, march_back_##suffix, read_out, storage, 0};
 
-#define QV_DEFINE_SAMPLINGS(mode)                                                                  \
-    QV_DEFINE_SAMPLING(mode, rgba8, QV_STORAGE_RGBA8, QV_READ_OUT_8)                               \
-    QV_DEFINE_SAMPLING(mode, rgba16, QV_STORAGE_RGBA16, QV_READ_OUT_16)                            \
-    QV_DEFINE_SAMPLING(mode, indexed8, QV_STORAGE_INDEXED8, QV_READ_OUT_8)                         \
-    QV_DEFINE_SAMPLING(mode, indexed8_16, QV_STORAGE_INDEXED8_16, QV_READ_OUT_16)
+#define QV_DEFINE_STEPS(mode, suffix, read_out, storage)                                           \
+    QV_DEFINE_SAMPLING(mode, suffix, qv_prepare_steps, qv_take_##mode, read_out, storage)
+
+/* DEFINE for each storage that modes without lengths take. */
+#define QV_STEPS_ENTRIES(DEFINE, mode)                                                             \
+    DEFINE(mode, rgba8, QV_READ_OUT_8, QV_STORAGE_RGBA8)                                           \
+    DEFINE(mode, rgba16, QV_READ_OUT_16, QV_STORAGE_RGBA16)
+#define QV_STEPS_INDEXED(DEFINE, mode)                                                             \
+    DEFINE(mode, indexed8, QV_READ_OUT_8, QV_STORAGE_INDEXED8)                                     \
+    DEFINE(mode, indexed8_16, QV_READ_OUT_16, QV_STORAGE_INDEXED8_16)
+#define QV_EACH_STEPS(DEFINE, mode)                                                                \
+    QV_STEPS_ENTRIES(DEFINE, mode)                                                                 \
+    QV_STEPS_INDEXED(DEFINE, mode)
 
 #endif /* QV_MARCH_H */

@@ -18,19 +18,19 @@ FX_INLINE void qv_advance_run(qv_run *run)
 }
 
 /* What a ray looks at: one volume, or two levels of a span. */
-typedef struct qv_sight {
+typedef struct qv_subject {
     const qv_volume *volume[2];
     struct qv_span *span;
-} qv_sight;
+} qv_subject;
 
 /* Looks at the point where a ray stands; returns 0 where there is nothing to see. */
-typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_sight *sight, unsigned storage,
-                    const qv_family *family);
+typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
+                    unsigned storage, const qv_family *family);
 
-FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
+FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
                                 unsigned storage, const qv_family *family)
 {
-    return family->mode(sample, ray, sight->volume[0], storage);
+    return family->mode(sample, ray, subject->volume[0], storage);
 }
 
 /*
@@ -39,7 +39,7 @@ FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_s
  */
 FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, qv_ray *ray,
                            const qv_context *context, unsigned storage, const qv_family *family,
-                           qv_look *look, const qv_sight *sight)
+                           qv_look *look, const qv_subject *subject)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_medium medium;
@@ -47,7 +47,7 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
     ray->samples -= run->ray.samples;
     for (; run->ray.samples != 0; qv_advance_run(run)) {
         qv_sample sample;
-        if (!look(&sample, &run->ray, sight, storage, family)) {
+        if (!look(&sample, &run->ray, subject, storage, family)) {
             light->skipped++;
             continue;
         }
@@ -65,13 +65,13 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
 FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *context,
                                 unsigned storage, const qv_family *family)
 {
-    const qv_sight sight = {{&context->scene.volume, 0}, 0};
+    const qv_subject subject = {{&context->scene.volume, 0}, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
     qv_path_clip(ray, context);
     while (qv_next_run(&run, ray, ray->leave, 0) &&
            qv_march_run(light, &gathered, &run, ray, context, storage, family, qv_look_at_volume,
-                        &sight))
+                        &subject))
         ;
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);
@@ -103,7 +103,7 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
  * Defines the sampling mode qv_MODE_SUFFIX of a family for a storage, in both orders.
  * Macros because the descriptors are public names; the code is qv_march_lengths.
  */
-#define QV_DEFINE_LENGTHS(mode, suffix, kind, family, read_out, storage)                           \
+#define QV_DEFINE_BY_LENGTH(mode, suffix, prepare, family, read_out, storage)                      \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
         qv_march_lengths(light, ray, context, storage, family);                                    \
@@ -112,30 +112,45 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     {                                                                                              \
         qv_march_lengths_back(light, ray, context, storage, family);                               \
     }                                                                                              \
-    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {qv_prepare_##kind, march_##suffix, read_out, \
-                                                      storage, 1};                                 \
+    QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage,  \
+                                                      1};                                          \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_back_to_front = {                             \
-        qv_prepare_##kind, march_back_##suffix, read_out, storage, 1};
+        prepare, march_back_##suffix, read_out, storage, 1};
+
+#define QV_DEFINE_LENGTHS(mode, suffix, kind, family, read_out, storage)                           \
+    QV_DEFINE_BY_LENGTH(mode, suffix, qv_prepare_##kind, family, read_out, storage)
 
 /* DEFINE for each storage of opacity-based modes: those that hold opacity. */
-#define QV_EACH_CORRECTED(DEFINE, mode, family)                                                    \
+#define QV_CORRECTED_ENTRIES(DEFINE, mode, family)                                                 \
     DEFINE(mode, rgba8, corrected, family, QV_READ_OUT_8, QV_STORAGE_RGBA8)                        \
-    DEFINE(mode, rgba16, corrected, family, QV_READ_OUT_16, QV_STORAGE_RGBA16)                     \
+    DEFINE(mode, rgba16, corrected, family, QV_READ_OUT_16, QV_STORAGE_RGBA16)
+#define QV_CORRECTED_INDEXED(DEFINE, mode, family)                                                 \
     DEFINE(mode, indexed8, corrected, family, QV_READ_OUT_8, QV_STORAGE_INDEXED8)                  \
     DEFINE(mode, indexed8_16, corrected, family, QV_READ_OUT_16, QV_STORAGE_INDEXED8_16)
+#define QV_EACH_CORRECTED(DEFINE, mode, family)                                                    \
+    QV_CORRECTED_ENTRIES(DEFINE, mode, family)                                                     \
+    QV_CORRECTED_INDEXED(DEFINE, mode, family)
 
 /* Of extinction-based modes: those that hold extinction, */
-#define QV_EACH_EXTINCTION(DEFINE, mode, family)                                                   \
+#define QV_EXTINCTION_ENTRIES(DEFINE, mode, family)                                                \
     DEFINE(mode, rgbt8, extinction, family, QV_READ_OUT_8, QV_STORAGE_RGBT8)                       \
-    DEFINE(mode, rgbt16, extinction, family, QV_READ_OUT_16, QV_STORAGE_RGBT16)                    \
+    DEFINE(mode, rgbt16, extinction, family, QV_READ_OUT_16, QV_STORAGE_RGBT16)
+#define QV_EXTINCTION_INDEXED(DEFINE, mode, family)                                                \
     DEFINE(mode, indexed8_t8, extinction, family, QV_READ_OUT_8, QV_STORAGE_INDEXED8_T8)           \
     DEFINE(mode, indexed8_t16, extinction, family, QV_READ_OUT_16, QV_STORAGE_INDEXED8_T16)
+#define QV_EACH_EXTINCTION(DEFINE, mode, family)                                                   \
+    QV_EXTINCTION_ENTRIES(DEFINE, mode, family)                                                    \
+    QV_EXTINCTION_INDEXED(DEFINE, mode, family)
 
 /* and those that hold opacity, which is converted. */
-#define QV_EACH_CONVERTED(DEFINE, mode, family)                                                    \
+#define QV_CONVERTED_ENTRIES(DEFINE, mode, family)                                                 \
     DEFINE(mode, rgba8, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA8)                \
-    DEFINE(mode, rgba16, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA16)              \
+    DEFINE(mode, rgba16, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_RGBA16)
+#define QV_CONVERTED_INDEXED(DEFINE, mode, family)                                                 \
     DEFINE(mode, indexed8, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_INDEXED8)          \
     DEFINE(mode, indexed8_16, converted, family, QV_READ_OUT_CONVERTED, QV_STORAGE_INDEXED8_16)
+#define QV_EACH_CONVERTED(DEFINE, mode, family)                                                    \
+    QV_CONVERTED_ENTRIES(DEFINE, mode, family)                                                     \
+    QV_CONVERTED_INDEXED(DEFINE, mode, family)
 
 #endif /* QV_MARCH_LENGTHS_H */

@@ -40,30 +40,30 @@ FX_INLINE void qv_clear_sample(qv_sample *sample)
 }
 
 /* One level: entries stand by themselves above level 0, whatever the volume's storage. */
-FX_INLINE int qv_look_at_level(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
+FX_INLINE int qv_look_at_level(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
                                unsigned which, unsigned storage, const qv_family *family)
 {
-    if (which == 0 && qv_storage_indexed(storage) && sight->span->level == 0)
-        return family->mode(sample, ray, sight->volume[which], storage);
-    return family->mode(sample, ray, sight->volume[which], qv_entry_storage(storage));
+    if (which == 0 && qv_storage_indexed(storage) && subject->span->level == 0)
+        return family->mode(sample, ray, subject->volume[which], storage);
+    return family->mode(sample, ray, subject->volume[which], qv_entry_storage(storage));
 }
 
 /* The finer level, and the coarser where it has a share. */
-FX_INLINE int qv_look_at_levels(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
+FX_INLINE int qv_look_at_levels(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
                                 unsigned storage, const qv_family *family)
 {
-    uint32_t share = sight->span->blend;
+    uint32_t share = subject->span->blend;
     qv_sample coarser;
     qv_ray above;
     qv_clear_sample(sample);
-    int seen = qv_look_at_level(sample, ray, sight, 0, storage, family);
-    sight->span->blend = share + sight->span->rise;
+    int seen = qv_look_at_level(sample, ray, subject, 0, storage, family);
+    subject->span->blend = share + subject->span->rise;
     if (share == 0)
         return seen;
     for (unsigned axis = 0; axis < 3; axis++)
         above.place[axis] = fx_shift_floor(ray->place[axis] - QV_CENTRED, 1) + QV_CENTRED;
     qv_clear_sample(&coarser);
-    seen |= qv_look_at_level(&coarser, &above, sight, 1, storage, family);
+    seen |= qv_look_at_level(&coarser, &above, subject, 1, storage, family);
     if (!seen)
         return 0;
     qv_blend_samples(sample, &coarser, share);
@@ -77,7 +77,7 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
     qv_levels levels;
     qv_span span;
     qv_run run;
-    const qv_sight sight = {{&levels.volume[0], &levels.volume[1]}, &span};
+    const qv_subject subject = {{&levels.volume[0], &levels.volume[1]}, &span};
     int more = 1;
     levels.finer = QV_NO_LEVEL;
     for (qv_path_clip(ray, context); more;) {
@@ -87,7 +87,7 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
         qv_span_blend(&span, &run);
         qv_levels_describe(&levels, span.level, &context->scene);
         more = qv_march_run(light, &gathered, &run, ray, context, storage, family,
-                            qv_look_at_levels, &sight);
+                            qv_look_at_levels, &subject);
     }
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);

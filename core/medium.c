@@ -89,15 +89,18 @@ qv_status qv_medium_converted(qv_medium *medium, const qv_scene *scene, unsigned
 
 qv_status qv_prepare_corrected(qv_context *context, const qv_scene *scene)
 {
-    return qv_medium_corrected(&context->medium, scene, 0);
+    qv_status status = qv_volume_check(&scene->volume);
+    return status == QV_OK ? qv_medium_corrected(&context->medium, scene, 0) : status;
 }
 
 qv_status qv_prepare_extinction(qv_context *context, const qv_scene *scene)
 {
-    return qv_medium_extinction(&context->medium, scene, 0);
+    qv_status status = qv_volume_check(&scene->volume);
+    return status == QV_OK ? qv_medium_extinction(&context->medium, scene, 0) : status;
 }
 
 qv_status qv_prepare_converted(qv_context *context, const qv_scene *scene)
 {
-    return qv_medium_converted(&context->medium, scene, 0);
+    qv_status status = qv_volume_check(&scene->volume);
+    return status == QV_OK ? qv_medium_converted(&context->medium, scene, 0) : status;
 }

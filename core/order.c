@@ -7,7 +7,7 @@ qv_status qv_order_index(uint64_t *index, const qv_order *order, const uint16_t 
         return QV_ERROR_NULL;
     if (!qv_box_valid(size) || !qv_box_holds(size, position))
         return QV_ERROR_SIZE;
-    *index = order->index(size, position);
+    *index = QV_FIELD(order, index)(size, position);
     return QV_OK;
 }
 

@@ -51,7 +51,8 @@
  *
  * ERRORS. A function that can fail returns a qv_status: 0 or a positive value on
  * success, a negative one on error. On error nothing has been written through
- * any pointer argument. Order of arguments: what is written, then what is read.
+ * any pointer argument; but qv_splat_init may leave zeros, since it makes its result where
+ * it is to be. Order of arguments: what is written, then what is read.
  *
  * THREADS. Every function works on its arguments alone, so calls on different
  * outputs may run at the same time; contexts and volumes may be shared freely.
@@ -131,7 +132,9 @@ typedef enum qv_status {
     QV_ERROR_ATTENUATION = -22, /* attenuation: records too short, or their memory too small */
     QV_ERROR_INSIDE = -23,      /* eye in the volume where no light gets out of it */
     QV_ERROR_SUMS = -24,        /* a sum of splats is full */
-    QV_ERROR_OVERLAP = -25      /* memory that is written is also read */
+    QV_ERROR_OVERLAP = -25,     /* memory that is written is also read */
+    QV_ERROR_READ = -26,        /* voxels could not be read; qv_pages has the caller's own status */
+    QV_ERROR_PAGES = -27 /* pages too few, too small, odd for 16 bits, or of another volume */
 } qv_status;
 
 /* One line of English for a status, never null; also for values not listed. Like that of
@@ -166,6 +169,8 @@ typedef enum qv_storage {
     QV_STORAGE_ASSOCIATED8 = 9
 } qv_storage;
 
+struct qv_pages;
+
 /*
  * A volume: a view of voxels in the caller's memory, flash included.
  * The caller keeps voxels and palette alive and unchanged while contexts that
@@ -185,6 +190,8 @@ typedef struct qv_volume {
     int32_t stride[3];      /* bytes to the next voxel on x, y, z; any order, any sign, even for
                                16-bit data. The axes must nest: sorted by size, each stride is at
                                least the extent of the axis below it. Ignored on axes of size 1 */
+    struct qv_pages *pages; /* what _paged modes read voxels through; they need no voxels, no
+                               voxels_bytes and no stride. Else not read, and may be null */
 } qv_volume;
 
 /*
@@ -650,6 +657,141 @@ qv_status qv_classify(void *voxels, size_t bytes, uint8_t storage, const qv_clas
 qv_status qv_reduce(void *values, size_t bytes, const qv_scalars *scalars, const uint8_t factor[3],
                     uint16_t first_z, uint16_t end_z);
 
+/* ---- Volumes larger than memory --------------------------------------------- */
+
+/*
+ * Voxels that the caller reads from somewhere, an SD card or serial flash, when they are wanted.
+ * The volume is divided into bricks; a page of the caller's memory holds one. Pictures are those
+ * of the same voxels in memory, bit for bit, whatever the pages and their shape:
+ *
+ *     qv_pages pages = {.read = read_brick, .memory = memory, .bytes = sizeof memory,
+ *                       .table = table, .count = 16, .shift = {3, 3, 3}};
+ *     volume.pages = &pages;
+ *     qv_pages_init(&pages, &volume);
+ *     scene.sampling = &qv_weighted_rgba8_paged;
+ *     qv_init, qv_render, qv_slice ...               as ever; pages keep their bricks
+ *
+ * Reading changes the pages: only one call at a time may use them. Threads have their own.
+ */
+
+/* A brick that is wanted. Its voxel (x, y, z), counted from block.first, goes to byte
+   x * voxel bytes + y * row + z * slice of the page; bytes in between need not be written. */
+typedef struct qv_brick {
+    qv_block block;      /* its voxels, those that lie in the volume */
+    uint32_t number;     /* x fastest, then y, then z */
+    uint32_t row, slice; /* as if the brick did not reach beyond the volume */
+    uint32_t bytes;      /* of a page */
+} qv_brick;
+
+/* A place in the table of pages; the library's own. */
+typedef struct qv_page {
+    uint32_t brick;
+    uint16_t page;
+} qv_page;
+
+/* Most of shift[]: a brick as wide as any volume. */
+#define QV_PAGE_SHIFT_MAX 12u
+
+/*
+ * A cache of pages. A brick is 2^shift voxels wide, or as wide as the volume where that is less:
+ * {12, 12, 0} are slices. A sample may lie in 2 bricks on each axis that has several, so 8 pages
+ * are the least for cubes and 2 for slices; B-splines lie in 3 where bricks are 1 voxel wide.
+ * The brick that has not been wanted for longest makes room, among 8 pages or more that its
+ * number chooses; all, where there are fewer than 16.
+ */
+typedef struct qv_pages {
+    /* Fills a page. Voxels of 16 bits a channel are in the machine's byte order. Returns 0 or a
+       positive value, or a negative status of the caller's. May not render from these pages. */
+    int (*read)(void *user, void *page, const qv_brick *brick);
+    void *user;
+    void *memory; /* count pages of qv_page_bytes; 2-aligned for 16 bits a channel */
+    size_t bytes;
+    qv_page *table; /* one place for each page */
+    uint16_t count; /* pages */
+    uint8_t shift[3];
+
+    /* What has happened. The caller may set them to 0 at any time. */
+    qv_status status;  /* QV_ERROR_READ from the first failure on; what qv_render returns */
+    int error;         /* of that failure: what read returned */
+    uint32_t searches; /* for a page; samples that lie in the same bricks as the last need none */
+    uint32_t reads;    /* calls of read */
+    uint32_t failures; /* those of them that failed */
+
+    /* The library's own, core/pages.h. */
+    uint16_t size[3], sets, ways;
+    uint32_t stride[3], page_bytes;
+    uint32_t first[3], cells[3];
+    const uint8_t *corner[8];
+} qv_pages;
+
+/* Bytes of a page; 0 where a shift or the size is out of range. */
+uint64_t qv_page_bytes(const uint8_t shift[3], const uint16_t size[3], uint8_t storage);
+
+/*
+ * Makes pages ready for a volume, of which voxels and strides are not read: no page holds a
+ * brick, and the counters are 0. qv_init takes pages that were made ready for a volume of the
+ * same size and bytes a voxel. Returns QV_OK or QV_ERROR_NULL, _STORAGE, _SIZE, _PALETTE,
+ * _SPACING, _PAGES (no pages, memory too small or odd, a shift above QV_PAGE_SHIFT_MAX, a page of
+ * 2^32 bytes or more, or 2^32 - 1 bricks or more).
+ *
+ * qv_init returns QV_ERROR_PAGES too where there are fewer pages than a sample may need at a time.
+ *
+ * A page that cannot be read holds bytes of 0: transparent voxels, or those of the palette's entry
+ * 0. It is read again when it is wanted after its place was needed for another. A call that
+ * renders goes on to its end, and returns pages->status for QV_OK.
+ * Where the same reads fail each time, its picture is that of a volume with 0 in those bricks.
+ */
+qv_status qv_pages_init(qv_pages *pages, const qv_volume *volume);
+
+/* Voxels that lie x fastest, then y, then z, without gaps, in something larger. */
+typedef struct qv_linear {
+    /* Reads bytes at an offset; returns a negative status of the caller's where it cannot. */
+    int (*read)(void *user, void *to, uint64_t offset, uint32_t bytes);
+    void *user;
+    uint64_t offset;  /* of voxel (0,0,0) */
+    uint64_t bytes;   /* that were read; the caller may set it to 0 */
+    uint32_t reads;   /* calls of read; likewise */
+    uint16_t size[3]; /* of the volume */
+    uint8_t storage;
+} qv_linear;
+
+/*
+ * A read function for qv_pages, whose user is a qv_linear: reads a brick row by row, or where rows
+ * or slices of the volume lie in it whole, all of them that follow each other at once. Returns 0 or
+ * the first negative status.
+ */
+int qv_linear_read(void *linear, void *page, const qv_brick *brick);
+
+/* The sampling modes through pages, but for those of pyramids. */
+#define QV_DECLARE_PAGED(name) extern const qv_sampling name##_paged, name##_paged_back_to_front;
+
+/* Where QV_MEMORY_HEADER makes addresses that reach no RAM, pages hold indices alone. */
+#ifdef QV_MEMORY_HEADER
+#define QV_DECLARE_PAGED_ENTRIES(mode, fourth)
+#else
+#define QV_DECLARE_PAGED_ENTRIES(mode, fourth)                                                     \
+    QV_DECLARE_PAGED(mode##_rgb##fourth##8)                                                        \
+    QV_DECLARE_PAGED(mode##_rgb##fourth##16)
+#endif
+#define QV_DECLARE_PAGED_OPACITY(mode)                                                             \
+    QV_DECLARE_PAGED_ENTRIES(mode, a)                                                              \
+    QV_DECLARE_PAGED(mode##_indexed8)                                                              \
+    QV_DECLARE_PAGED(mode##_indexed8_16)
+#define QV_DECLARE_PAGED_EXTINCTION(mode)                                                          \
+    QV_DECLARE_PAGED_ENTRIES(mode, t)                                                              \
+    QV_DECLARE_PAGED(mode##_indexed8_t8)                                                           \
+    QV_DECLARE_PAGED(mode##_indexed8_t16)
+
+QV_DECLARE_PAGED_OPACITY(qv_nearest)
+QV_DECLARE_PAGED_OPACITY(qv_separate)
+QV_DECLARE_PAGED_OPACITY(qv_weighted)
+QV_DECLARE_PAGED_OPACITY(qv_corrected)
+QV_DECLARE_PAGED_OPACITY(qv_bspline_weighted)
+QV_DECLARE_PAGED_OPACITY(qv_extinction)
+QV_DECLARE_PAGED_EXTINCTION(qv_extinction)
+QV_DECLARE_PAGED_OPACITY(qv_bspline_extinction)
+QV_DECLARE_PAGED_EXTINCTION(qv_bspline_extinction)
+
 /* ---- Slices ----------------------------------------------------------------- */
 
 /*
@@ -911,7 +1053,7 @@ uint8_t qv_dither_table_place(uint8_t period, int32_t slice, uint32_t frame, int
  * dither, frame and still are read. The blend is qv_hardware_rgba8888, _rgb888 or
  * qv_hand_out_rgba8888; no division, and no multiplication by a colour. Returns QV_OK or
  * QV_ERROR_NULL, _RECT, _BUFFER (also for another blend), _SIZE (the table), _STORAGE (not
- * indexed), _SLICE.
+ * indexed, or without voxels in memory), _SLICE.
  */
 qv_status qv_slice_table(const qv_buffer *buffer, const qv_dither_table *table,
                          const qv_dither *dither, const qv_context *context, const qv_rect *rect,
@@ -1085,8 +1227,7 @@ extern const qv_domain qv_domain_stored, qv_domain_extinction;
  * besides, an extinction is off by up to .61 * 2^-24: the fourth channel is within .51 of its
  * last place of real arithmetic, colours of 8 bits are too, and colours of 16 bits within .5 +
  * .0009 / (least opacity under the filter that is not 0), at most .51 once weighted by opacity.
- * Where all voxels under the filter have 0, the result is black. Works in some 600 bytes on
- * the stack, whatever the size.
+ * Where all voxels under the filter have 0, the result is black.
  * Returns QV_OK or an error of qv_volume_check (spacing is not read), or QV_ERROR_SIZE
  * (slices), _BUFFER, _LEVEL (finer has one voxel), _MIXTURE (a filter that does not sum
  * to 1), _STORAGE (associated colours; qv_domain_extinction of stored extinction: take
@@ -1205,7 +1346,7 @@ qv_address qv_attenuation_at(const qv_attenuation *attenuation, const uint16_t p
  * of up to 1000 unit distances, or 1000 voxels where there is none (.52 up to 4096). On longer ones
  * too, but for opacities of at most 30 / 65535: .59.
  * The domain must be that of the volume's fourth channel: qv_domain_extinction for opacity,
- * qv_domain_stored for extinction. Works in some 400 bytes on the stack.
+ * qv_domain_stored for extinction.
  * Returns QV_OK or QV_ERROR_NULL, an error of qv_volume_check, _STORAGE (domain), _UNIT (a step
  * outside 2^-12 .. 2^12 unit distances), _EXTINCTION (a step's depth 0, or 2^12 or more, at the
  * full value), _DIRECTION (not in the set, or a set that is empty or has unknown bits), _SIZE (not
@@ -1384,6 +1525,8 @@ int qv_splat_eye(uint16_t position[3], const qv_splat_scene *scene);
  * _LEVEL, _LIGHT, _DIRECTION (a set that is empty or has unknown bits, or lacks a direction that
  * the viewer or a lamp wants; of QV_NEAREST, the nearest is more than 60 degrees off; an unknown
  * interpolation), _INSIDE (light may come to the eye by a direction whose byte in `inside` is 0).
+ * After an error splats is as it was, or all 0; there is no room on a small stack for a second one.
+ * The scene may be that of splats itself.
  */
 qv_status qv_splat_init(qv_splats *splats, const qv_splat_scene *scene);
 

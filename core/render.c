@@ -1,5 +1,6 @@
 #include "composite.h"
 #include "image.h"
+#include "pages.h"
 #include "pixels.h"
 #include "ray.h"
 
@@ -62,7 +63,7 @@ qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_
             progress->line++;
         }
     }
-    return QV_OK;
+    return qv_pages_status(&context->scene.volume);
 }
 
 qv_status qv_render(const qv_image *image, const qv_context *context, const qv_rect *rect)

@@ -23,10 +23,6 @@ typedef struct qv_sample {
 typedef int qv_mode(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                     unsigned storage);
 
-/* The same of a cell that has been located. */
-typedef int qv_cell_mode(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
-                         unsigned storage);
-
 FX_INLINE uint32_t qv_opacity_bits(qv_address entry, unsigned storage)
 {
     return fx_channel_bits(qv_channel(entry, 3, storage));
@@ -137,19 +133,18 @@ FX_INLINE void qv_add_voxel(qv_sample *sum, fx_weight weight, qv_address entry,
     sum->light[2] = fx_sum_add(sum->light[2], term[2]);
 }
 
-/* Trilinear: 4M 12A for the weights, 8M 7A for the opacity or extinction, 3 * (8M 7A) for
-   the colours, with every factor. */
-FX_INLINE int qv_interpolate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
-                             unsigned storage, qv_factor factor)
+/* Trilinear, of the entries of eight corners: 4M 12A for the weights, 8M 7A for the opacity or
+   extinction, 3 * (8M 7A) for the colours, with every factor. */
+FX_INLINE int qv_interpolate_corners(qv_sample *sample, const qv_address corner[8],
+                                     const fx_fraction fraction[3], unsigned storage,
+                                     qv_factor factor)
 {
-    qv_address corner[8];
     fx_weight weight[8];
     fx_density density[8];
-    qv_corners(corner, cell, volume, storage);
     if (!qv_any_opacity(corner, storage))
         return 0;
     FX_FORGET();
-    qv_weights(weight, cell->fraction);
+    qv_weights(weight, fraction);
     sample->scale = factor == QV_BY_DENSITY ? qv_densities(density, corner, 8, storage) : 0u;
 
     sample->opacity = qv_share(weight[0], corner[0], &density[0], storage, factor);
@@ -158,6 +153,14 @@ FX_INLINE int qv_interpolate(qv_sample *sample, const qv_cell *cell, const qv_vo
     for (unsigned i = 1; i < 8; i++)
         qv_add_voxel(sample, weight[i], corner[i], &density[i], storage, factor);
     return 1;
+}
+
+FX_INLINE int qv_interpolate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                             unsigned storage, qv_factor factor)
+{
+    qv_address corner[8];
+    qv_corners(corner, cell, volume, storage);
+    return qv_interpolate_corners(sample, corner, cell->fraction, storage, factor);
 }
 
 /* Opacity-weighted: equations 11 and 12; or extinction-weighted, of stored extinction. */
@@ -186,21 +189,24 @@ FX_INLINE fx_sum qv_associate(fx_sum colour, fx_share opacity, unsigned storage)
 
 /* Separate: the products with the opacity are those of equation 4 and belong to
    compositing. */
+FX_INLINE void qv_associate_light(qv_sample *sample, unsigned storage)
+{
+    for (unsigned c = 0; c < 3; c++)
+        sample->light[c] = qv_associate(sample->light[c], sample->opacity, storage);
+}
+
 FX_INLINE int qv_cell_separate(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
                                unsigned storage)
 {
     if (!qv_interpolate(sample, cell, volume, storage, QV_BY_WEIGHT))
         return 0;
-    for (unsigned c = 0; c < 3; c++)
-        sample->light[c] = qv_associate(sample->light[c], sample->opacity, storage);
+    qv_associate_light(sample, storage);
     return 1;
 }
 
-/* Nearest: all of it is one voxel's. */
-FX_INLINE int qv_cell_nearest(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
-                              unsigned storage)
+/* Nearest: all of it is one entry's. */
+FX_INLINE int qv_sample_entry(qv_sample *sample, qv_address entry, unsigned storage)
 {
-    qv_address entry = qv_entry(qv_cell_nearest_voxel(cell), volume, storage);
     fx_channel opacity = qv_channel(entry, 3, storage);
     if (fx_channel_bits(opacity) == 0)
         return 0;
@@ -208,6 +214,12 @@ FX_INLINE int qv_cell_nearest(qv_sample *sample, const qv_cell *cell, const qv_v
     sample->opacity = fx_share_mul(one, opacity);
     qv_terms(sample->light, one, sample->opacity, entry, storage, QV_BY_SHARE);
     return 1;
+}
+
+FX_INLINE int qv_cell_nearest(qv_sample *sample, const qv_cell *cell, const qv_volume *volume,
+                              unsigned storage)
+{
+    return qv_sample_entry(sample, qv_entry(qv_cell_nearest_voxel(cell), volume, storage), storage);
 }
 
 /* The modes from where a ray stands: qv_sample_MODE. */

@@ -1,3 +1,3 @@
 #include "march.h"
 
-QV_DEFINE_SAMPLINGS(weighted)
+QV_EACH_STEPS(QV_DEFINE_STEPS, weighted)

@@ -10,19 +10,15 @@ static uint32_t associated_level(uint8_t colour, uint8_t opacity)
     return 2u * (p * 257u + fx_div255_round(p));
 }
 
-/* Modes that know no lengths take opacities as they are. */
 qv_status qv_prepare_steps(qv_context *context, const qv_scene *scene)
 {
-    uint32_t unit = scene->volume.unit_distance;
     (void)context;
-    return unit != 0 && unit != scene->camera.step ? QV_ERROR_UNIT : QV_OK;
+    qv_status status = qv_steps_check(scene);
+    return status == QV_OK ? qv_volume_check(&scene->volume) : status;
 }
 
 static qv_status check_scene(const qv_scene *scene)
 {
-    qv_status status = qv_volume_check(&scene->volume);
-    if (status != QV_OK)
-        return status;
     if (!scene->sampling)
         return QV_ERROR_NULL;
     if (QV_FIELD(scene->sampling, storage) != scene->volume.storage)

@@ -40,7 +40,7 @@ static int sight_orthographic(qv_sight *sight, const qv_splats *splats, const in
  * Q2.30. Enlargements are below 2^31, as a voxel's width shows; what would pass 2^62 is as far
  * outside of a frame as 2^40, which it becomes.
  */
-static int64_t enlarge(int64_t v, fx_scaled enlarged)
+static FX_NOINLINE int64_t enlarge(int64_t v, fx_scaled enlarged)
 {
     const int64_t far_off = (int64_t)1 << 40;
     int64_t scaled = fx_scale_q30(v, (int32_t)(enlarged.mantissa >> 1)); /* < 2^61 */
@@ -55,7 +55,7 @@ static int64_t enlarge(int64_t v, fx_scaled enlarged)
 }
 
 /* How much larger something shows that lies so far ahead of the eye, in world units Q31.32. */
-static fx_scaled enlargement(const qv_splats *splats, int64_t ahead)
+static FX_NOINLINE fx_scaled enlargement(const qv_splats *splats, int64_t ahead)
 {
     return fx_scaled_over(qv_splats_number(splats, QV_DISTANCE),
                           fx_scaled_of((uint64_t)ahead, -32));
@@ -83,7 +83,8 @@ uint32_t qv_splats_reach(const qv_splats *splats, unsigned axis)
 }
 
 /* Width and height in pixels; 0 where they are out of range. */
-static int set_size(qv_sight *sight, const qv_splats *splats, fx_scaled enlarged, unsigned level)
+static FX_NOINLINE int set_size(qv_sight *sight, const qv_splats *splats, fx_scaled enlarged,
+                                unsigned level)
 {
     uint32_t size[2];
     for (unsigned i = 0; i < 2; i++) {
@@ -97,23 +98,28 @@ static int set_size(qv_sight *sight, const qv_splats *splats, fx_scaled enlarged
     return 1;
 }
 
-/* The way to the eye and what comes along it: a voxel brings its gain times the layers that
-   the way crosses for each unit that it leads ahead. */
-static int set_viewer(qv_sight *sight, const qv_splats *splats, const int32_t half[3],
-                      int64_t ahead)
+/* The way to the eye, and how often it was halved; returns 0 where it leads nowhere. */
+static FX_NOINLINE int set_way(int32_t way[3], int *halved, const qv_splats *splats,
+                               const int32_t half[3])
 {
     int64_t v[3];
-    int32_t scaled[3];
     for (unsigned axis = 0; axis < 3; axis++)
         v[axis] = splats->eye[axis] - (int64_t)half[axis] * 65536; /* half voxels, Q.16 */
     if (!qv_bearing_leads(v))
         return 0;
-    int halved = qv_bearing_scale(scaled, v);
-    fx_scaled layers = fx_scaled_of(qv_bearing_largest(scaled), halved - 17);
-    fx_scaled per_unit = fx_scaled_over(layers, fx_scaled_of((uint64_t)ahead, -32));
-    fx_scaled gain = fx_scaled_times(qv_splats_number(splats, QV_GAIN), per_unit);
-    sight->gain = fx_scaled_fixed(gain, 0, 0xFFFFFFFFu);
-    return qv_bearing_of(&sight->viewer, &sight->length, &splats->compass, scaled) == QV_OK;
+    *halved = qv_bearing_scale(way, v);
+    return 1;
+}
+
+/* What comes along it: a voxel brings its gain times the layers that the way crosses for each
+   unit that it leads ahead. */
+static FX_NOINLINE uint32_t gain_along(const qv_splats *splats, const int32_t way[3], int halved,
+                                       int64_t ahead)
+{
+    fx_scaled gain = fx_scaled_of(qv_bearing_largest(way), halved - 17); /* layers */
+    gain = fx_scaled_over(gain, fx_scaled_of((uint64_t)ahead, -32));
+    gain = fx_scaled_times(qv_splats_number(splats, QV_GAIN), gain);
+    return fx_scaled_fixed(gain, 0, 0xFFFFFFFFu);
 }
 
 static int within(int64_t v, uint32_t reach)
@@ -121,31 +127,56 @@ static int within(int64_t v, uint32_t reach)
     return v >= -(int64_t)reach && v <= (int64_t)reach;
 }
 
-static int sight_perspective(qv_sight *sight, const qv_splats *splats, const int32_t half[3],
-                             unsigned level)
+/* Where it is seen, and how large, so much enlarged; 0 where that is out of reach. */
+static int set_place(qv_sight *sight, const qv_splats *splats, const int32_t half[3],
+                     fx_scaled enlarged, unsigned level)
 {
-    int64_t ahead = splats->distance + along(splats->ahead, half);
-    if (ahead < nearest_ahead(splats, level))
-        return 0;
-    fx_scaled enlarged = enlargement(splats, ahead);
     if (!set_size(sight, splats, enlarged, level))
         return 0;
     sight->x = enlarge(along(splats->across, half), enlarged);
     sight->y = enlarge(along(splats->down, half), enlarged);
     return within(sight->x, qv_splats_reach(splats, 0)) &&
-           within(sight->y, qv_splats_reach(splats, 1)) && set_viewer(sight, splats, half, ahead);
+           within(sight->y, qv_splats_reach(splats, 1));
 }
 
-int qv_sight_of(qv_sight *sight, const qv_splats *splats, const int32_t half[3], unsigned level)
+/* All but the bearing of the way to the eye. */
+static int sight_perspective(qv_sight *sight, int32_t way[3], const qv_splats *splats,
+                             const int32_t half[3], unsigned level)
 {
-    const qv_view *view = &splats->scene.view;
-    int drawn = splats->scene.field_of_view == 0 ? sight_orthographic(sight, splats, half, level)
-                                                 : sight_perspective(sight, splats, half, level);
+    int64_t ahead = splats->distance + along(splats->ahead, half);
+    int halved;
+    if (ahead < nearest_ahead(splats, level) ||
+        !set_place(sight, splats, half, enlargement(splats, ahead), level) ||
+        !set_way(way, &halved, splats, half))
+        return 0;
+    sight->gain = gain_along(splats, way, halved, ahead);
+    return 1;
+}
+
+/* The same of either viewer; an orthographic one has his bearing too. */
+static FX_NOINLINE int sight_but_bearing(qv_sight *sight, int32_t way[3], const qv_splats *splats,
+                                         const uint16_t position[3], unsigned level)
+{
+    const qv_splat_scene *scene = &splats->scene;
+    int32_t half[3];
+    qv_half_voxels(half, scene->volume.size, position, level);
+    int drawn = scene->field_of_view == 0 ? sight_orthographic(sight, splats, half, level)
+                                          : sight_perspective(sight, way, splats, half, level);
     if (!drawn)
         return 0;
-    sight->x += frame_centre(view->width);
-    sight->y += frame_centre(view->height);
+    sight->x += frame_centre(scene->view.width);
+    sight->y += frame_centre(scene->view.height);
     return 1;
+}
+
+int qv_sight_of(qv_sight *sight, const qv_splats *splats, const uint16_t position[3],
+                unsigned level)
+{
+    int32_t way[3];
+    if (!sight_but_bearing(sight, way, splats, position, level))
+        return 0;
+    return splats->scene.field_of_view == 0 ||
+           qv_bearing_of(&sight->viewer, &sight->length, &splats->compass, way) == QV_OK;
 }
 
 /* ---- Levels ----------------------------------------------------------------- */
@@ -162,7 +193,7 @@ int qv_splats_fine(const qv_splats *splats, fx_scaled enlarged, unsigned level)
 }
 
 /* What is too near to be drawn is not fine enough at any level. */
-static int is_fine(const qv_splats *splats, const uint16_t position[3], unsigned level)
+static FX_NOINLINE int is_fine(const qv_splats *splats, const uint16_t position[3], unsigned level)
 {
     int32_t half[3];
     qv_half_voxels(half, splats->scene.volume.size, position, level);

@@ -1,6 +1,7 @@
 #include "buffer.h"
 #include "composite.h"
 #include "image.h"
+#include "pages.h"
 #include "stretch.h"
 
 /* ---- The ray of one slice --------------------------------------------------- */
@@ -88,7 +89,7 @@ qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_co
             qv_place_next(&place, blend, step);
         }
     }
-    return QV_OK;
+    return qv_pages_status(&context->scene.volume);
 }
 
 /* ---- The slices of a rectangle ------------------------------------------------ */

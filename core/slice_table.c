@@ -73,7 +73,7 @@ static qv_status check(const qv_dither_table *table, const qv_dither *dither,
     qv_status status = check_table(table);
     if (status != QV_OK)
         return status;
-    if (!qv_storage_indexed(context->scene.volume.storage))
+    if (!qv_storage_indexed(context->scene.volume.storage) || !context->scene.volume.voxels)
         return QV_ERROR_STORAGE;
     return number < -QV_GRID_LIMIT || number >= QV_GRID_LIMIT ? QV_ERROR_SLICE : QV_OK;
 }

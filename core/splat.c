@@ -9,7 +9,7 @@
 #include "thickness.h"
 
 /* Pixels of a row that are weighed at a time. */
-#define STRIP 16u
+#define STRIP 8u
 
 /*
  * Opacity of a voxel over a step towards the viewer, Q1.31. The thickness is that of the longest
@@ -24,94 +24,104 @@ static uint32_t opacity_of(const qv_splats *splats, const qv_sight *sight, uint3
     return fx_opacity(qv_thickness_depth(&thickness, weight) << level); /* < 2^(50 + 12) */
 }
 
-/*
- * What a voxel of an opacity, Q1.31, brings to a pixel that it covers alone: levels, Q10.22, of
- * colours and opacity.
- */
-static void light_of(uint32_t light[4], const qv_splats *splats, const qv_sight *sight,
-                     uint32_t opacity, const qv_freevoxel *voxel, fx_unorm16 colour[3])
+/* What a voxel of an opacity, Q1.31, brings to a pixel that it covers alone: levels, Q10.22, of
+   opacity. */
+static FX_NOINLINE uint32_t gain_of(const qv_splats *splats, const qv_sight *sight,
+                                    const qv_freevoxel *voxel, fx_unorm16 fourth)
 {
     const qv_splat_scene *scene = &splats->scene;
+    uint32_t weight = QV_FIELD(scene->domain, weight)(fourth);
+    uint32_t opacity = opacity_of(splats, sight, weight, voxel->level);
     if (QV_FIELD(scene->splatting, attenuated))
         opacity = fx_high_product(
             opacity, qv_bearing_transmittance(&sight->viewer, voxel->attenuation, scene->inside));
-    light[3] = (uint32_t)((fx_wide_product(opacity, sight->gain) + 0x40000000u) >> 31);
-    qv_lighting_colour(colour, &scene->lighting, splats->lamp, voxel->attenuation);
-    for (unsigned c = 0; c < 3; c++) /* 65537 is (2^32 - 1) / 65535 */
-        light[c] = fx_high_product(light[3], 65537u * colour[c]);
+    return (uint32_t)((fx_wide_product(opacity, sight->gain) + 0x40000000u) >> 31);
 }
 
 /* A splat's pixels in a rectangle: columns and lines, from .. end - 1. */
 typedef struct window {
-    qv_footprint across, down;
     int32_t column[2], line[2];
 } window;
 
 /* Returns 0 where there are none. */
-static int set_window(window *w, const qv_sums *sums, const qv_splats *splats,
-                      const qv_sight *sight)
+static FX_NOINLINE int set_window(window *w, const qv_sums *sums, const qv_splats *splats,
+                                  const qv_sight *sight)
 {
     const qv_kernel *kernel = splats->scene.kernel;
     const qv_rect *rect = &sums->rect;
-    qv_footprint_of(&w->across, kernel, sight->x, sight->width);
-    qv_footprint_of(&w->down, kernel, sight->y, sight->height);
-    qv_footprint_range(&w->column[0], &w->column[1], &w->across, rect->left, rect->right);
-    qv_footprint_range(&w->line[0], &w->line[1], &w->down, rect->top, rect->bottom);
+    qv_footprint footprint;
+    qv_footprint_place(&footprint, kernel, sight->x, sight->width);
+    qv_footprint_range(&w->column[0], &w->column[1], &footprint, rect->left, rect->right);
+    qv_footprint_place(&footprint, kernel, sight->y, sight->height);
+    qv_footprint_range(&w->line[0], &w->line[1], &footprint, rect->top, rect->bottom);
     return w->column[0] < w->column[1] && w->line[0] < w->line[1];
 }
 
+/* What is added to the sums: light by the weights of the pixels in a window. */
+typedef struct splat {
+    qv_footprint across, down;
+    const window *in;
+    const uint32_t *light;
+} splat;
+
 /* Adds light to the lines of a strip of columns: by a line's weight Q10.21, by a column's
    Q10.20. */
-static void put_strip(const qv_sums *sums, const qv_splatting *splatting, const window *w,
-                      int32_t column, unsigned count, const uint32_t light[4])
+static FX_NOINLINE void put_strip(const qv_sums *sums, const qv_splatting *splatting,
+                                  const splat *s, int32_t column, unsigned count)
 {
     uint16_t weights[STRIP];
     size_t width = (size_t)(sums->rect.right - sums->rect.left);
-    size_t first = (size_t)(w->line[0] - sums->rect.top) * width;
+    size_t first = (size_t)(s->in->line[0] - sums->rect.top) * width;
     uint32_t *row = sums->sums + QV_SUM_CHANNELS * (first + (size_t)(column - sums->rect.left));
-    qv_footprint_weights(weights, &w->across, column, count);
-    for (int32_t y = w->line[0]; y < w->line[1]; y++, row += QV_SUM_CHANNELS * width) {
+    qv_footprint_weights(weights, &s->across, column, count);
+    for (int32_t y = s->in->line[0]; y < s->in->line[1]; y++, row += QV_SUM_CHANNELS * width) {
         uint32_t of_row[4];
-        uint16_t weight = qv_footprint_weight(&w->down, y);
+        uint16_t weight = qv_footprint_weight(&s->down, y);
         for (unsigned c = 0; c < 4; c++)
-            of_row[c] = fx_product_shift16(light[c], weight);
+            of_row[c] = fx_product_shift16(s->light[c], weight);
         QV_FIELD(splatting, row)(row, weights, count, of_row);
     }
 }
 
-static void put_light(const qv_sums *sums, const qv_splatting *splatting, const window *w,
-                      const uint32_t light[4])
+static FX_NOINLINE void put_light(const qv_sums *sums, const qv_splat_scene *scene,
+                                  const qv_sight *sight, const window *w, const uint32_t light[4])
 {
+    splat s;
+    qv_footprint_of(&s.across, scene->kernel, sight->x, sight->width);
+    qv_footprint_of(&s.down, scene->kernel, sight->y, sight->height);
+    s.in = w;
+    s.light = light;
     for (int32_t column = w->column[0]; column < w->column[1]; column += (int32_t)STRIP) {
         uint32_t left = (uint32_t)(w->column[1] - column);
-        put_strip(sums, splatting, w, column, left < STRIP ? (unsigned)left : STRIP, light);
+        put_strip(sums, scene->splatting, &s, column, left < STRIP ? (unsigned)left : STRIP);
     }
 }
 
 void qv_splat_put(const qv_sums *sums, const qv_splats *splats, const qv_freevoxel *voxel)
 {
-    const qv_volume *volume = &splats->scene.volume;
-    unsigned storage = voxel->level == 0 ? volume->storage : qv_entry_storage(volume->storage);
+    const qv_splat_scene *scene = &splats->scene;
+    unsigned storage = scene->volume.storage;
+    unsigned of_voxel = voxel->level == 0 ? storage : qv_entry_storage(storage);
     fx_unorm16 entry[4];
-    int32_t half[3];
     qv_sight sight;
     window w;
     uint32_t light[4];
-    qv_entry_read(entry, qv_entry(voxel->voxel, volume, storage), storage);
-    if (entry[3] == 0 || !qv_splat_belongs(splats, voxel->position, voxel->level))
+    qv_entry_read(entry, qv_entry(voxel->voxel, &scene->volume, of_voxel), of_voxel);
+    if (entry[3] == 0 || !qv_splat_belongs(splats, voxel->position, voxel->level) ||
+        !qv_sight_of(&sight, splats, voxel->position, voxel->level) ||
+        !set_window(&w, sums, splats, &sight))
         return;
-    qv_half_voxels(half, volume->size, voxel->position, voxel->level);
-    if (!qv_sight_of(&sight, splats, half, voxel->level) || !set_window(&w, sums, splats, &sight))
+    light[3] = gain_of(splats, &sight, voxel, entry[3]);
+    if (light[3] == 0)
         return;
-    uint32_t opacity =
-        opacity_of(splats, &sight, QV_FIELD(splats->scene.domain, weight)(entry[3]), voxel->level);
-    light_of(light, splats, &sight, opacity, voxel, entry);
-    if (light[3] != 0)
-        put_light(sums, splats->scene.splatting, &w, light);
+    qv_lighting_colour(entry, &scene->lighting, splats->lamp, voxel->attenuation);
+    for (unsigned c = 0; c < 3; c++) /* 65537 is (2^32 - 1) / 65535 */
+        light[c] = fx_high_product(light[3], 65537u * entry[c]);
+    put_light(sums, scene, &sight, &w, light);
 }
 
 /* Position and memory of one voxel. */
-static qv_status check_voxel(const qv_splats *splats, const qv_freevoxel *voxel)
+static FX_NOINLINE qv_status check_voxel(const qv_splats *splats, const qv_freevoxel *voxel)
 {
     const qv_splat_scene *scene = &splats->scene;
     int read = QV_FIELD(scene->splatting, attenuated) || scene->lighting.count != 0;

@@ -66,7 +66,8 @@ static inline void qv_half_voxels(int32_t half[3], const uint16_t size[3],
 }
 
 /* Its sight; 0 where a voxel is not drawn, for its size or for lying behind the eye. */
-int qv_sight_of(qv_sight *sight, const qv_splats *splats, const int32_t half[3], unsigned level);
+int qv_sight_of(qv_sight *sight, const qv_splats *splats, const uint16_t position[3],
+                unsigned level);
 
 /* Whether a voxel belongs to what is drawn: neither it nor what it is part of is drawn as part of
    something coarser, nor is it itself too coarse. */

@@ -1,7 +1,9 @@
 #include "access.h"
 #include "attenuation.h"
 #include "block.h"
+#include "fx_inline.h"
 #include "fx_wide.h"
+#include "layout.h"
 #include "order.h"
 #include "overlap.h"
 #include "splat.h"
@@ -16,6 +18,11 @@ typedef struct path {
     uint16_t first, end; /* voxels of the block */
     uint16_t viewer;     /* the first of them beyond the viewer */
 } path;
+
+static uint32_t path_steps(const path *p)
+{
+    return (uint32_t)p->end - p->first;
+}
 
 static uint16_t path_at(const path *p, uint32_t step)
 {
@@ -36,8 +43,8 @@ static int32_t viewer_at(const qv_splats *splats, unsigned axis)
 }
 
 /* The viewer's own voxel is the last of those beyond him. */
-static void set_path(path *p, const qv_splats *splats, unsigned axis, unsigned level,
-                     const qv_block *block)
+static FX_NOINLINE void set_path(path *p, const qv_splats *splats, unsigned axis, unsigned level,
+                                 const qv_block *block)
 {
     int32_t viewer = viewer_at(splats, axis);
     uint32_t at = viewer < 0 ? 0 : (uint32_t)viewer >> level;
@@ -51,10 +58,7 @@ static void set_path(path *p, const qv_splats *splats, unsigned axis, unsigned l
 static qv_status check_level(const qv_splats *splats, const qv_volume *level, uint8_t number)
 {
     const qv_volume *whole = &splats->scene.volume;
-    qv_volume volume = *level;
-    for (unsigned axis = 0; axis < 3; axis++)
-        volume.spacing[axis] = 0; /* not read, and that of a deep level may be out of range */
-    qv_status status = qv_volume_check(&volume);
+    qv_status status = qv_voxels_check(level);
     if (status != QV_OK)
         return status;
     if (number > qv_pyramid_levels(whole->size))
@@ -93,21 +97,21 @@ static int overlaps(const qv_sums *sums, const qv_volume *level, const qv_attenu
            (attenuation && qv_records_meet(attenuation, sums->sums, bytes));
 }
 
+/* Bytes lie `record` apart from voxel to voxel. */
 static void put_voxel(const qv_sums *sums, const qv_splats *splats, const qv_volume *level,
-                      const qv_attenuation *attenuation, qv_freevoxel *voxel)
+                      const qv_attenuation *attenuation, uint16_t record, qv_freevoxel *voxel)
 {
     voxel->voxel = qv_voxel_at(level, voxel->position);
     if (attenuation)
-        voxel->attenuation =
-            qv_attenuation_of(attenuation, qv_attenuation_record(attenuation), voxel->position);
+        voxel->attenuation = qv_attenuation_of(attenuation, record, voxel->position);
     qv_splat_put(sums, splats, voxel);
 }
 
-qv_status qv_splat_block(const qv_sums *sums, const qv_splats *splats, const qv_volume *level,
-                         const qv_attenuation *attenuation, uint8_t number, const qv_block *block)
+/* All that a block is made of and goes to. */
+static FX_NOINLINE qv_status check(const qv_sums *sums, const qv_splats *splats,
+                                   const qv_volume *level, const qv_attenuation *attenuation,
+                                   uint8_t number, const qv_block *block)
 {
-    if (!splats || !level || !block)
-        return QV_ERROR_NULL;
     qv_status status = qv_sums_check(sums);
     if (status == QV_OK)
         status = check_level(splats, level, number);
@@ -117,22 +121,29 @@ qv_status qv_splat_block(const qv_sums *sums, const qv_splats *splats, const qv_
         return status;
     if (!qv_block_valid(block, level->size))
         return QV_ERROR_SIZE;
-    if (overlaps(sums, level, attenuation))
-        return QV_ERROR_OVERLAP;
+    return overlaps(sums, level, attenuation) ? QV_ERROR_OVERLAP : QV_OK;
+}
+
+qv_status qv_splat_block(const qv_sums *sums, const qv_splats *splats, const qv_volume *level,
+                         const qv_attenuation *attenuation, uint8_t number, const qv_block *block)
+{
+    if (!splats || !level || !block)
+        return QV_ERROR_NULL;
+    qv_status status = check(sums, splats, level, attenuation, number, block);
+    if (status != QV_OK)
+        return status;
     path way[3];
-    uint32_t steps[3];
-    for (unsigned axis = 0; axis < 3; axis++) {
+    for (unsigned axis = 0; axis < 3; axis++)
         set_path(&way[axis], splats, axis, number, block);
-        steps[axis] = (uint32_t)way[axis].end - way[axis].first;
-    }
+    uint16_t record = attenuation ? qv_attenuation_record(attenuation) : 0;
     qv_freevoxel voxel = {0, 0, {0, 0, 0}, number};
-    for (uint32_t z = 0; z < steps[2]; z++) {
+    for (uint32_t z = 0; z < path_steps(&way[2]); z++) {
         voxel.position[2] = path_at(&way[2], z);
-        for (uint32_t y = 0; y < steps[1]; y++) {
+        for (uint32_t y = 0; y < path_steps(&way[1]); y++) {
             voxel.position[1] = path_at(&way[1], y);
-            for (uint32_t x = 0; x < steps[0]; x++) {
+            for (uint32_t x = 0; x < path_steps(&way[0]); x++) {
                 voxel.position[0] = path_at(&way[0], x);
-                put_voxel(sums, splats, level, attenuation, &voxel);
+                put_voxel(sums, splats, level, attenuation, record, &voxel);
             }
         }
     }

@@ -36,7 +36,7 @@ static qv_status check_volume(const qv_volume *volume, const qv_domain *domain)
 }
 
 /* Each row of the rotation has a length of about 1; |row| <= 2^31. */
-static int is_rotation(const int32_t rotation[3][3])
+static FX_NOINLINE int is_rotation(const int32_t rotation[3][3])
 {
     for (unsigned row = 0; row < 3; row++) {
         uint32_t v[3];
@@ -51,15 +51,13 @@ static int is_rotation(const int32_t rotation[3][3])
 
 static qv_status check_view(const qv_splat_scene *scene)
 {
-    qv_view view = scene->view;
-    view.step = QV_ONE_Q16; /* a splat has none */
-    qv_status status = qv_view_check(&scene->volume, &view);
+    qv_status status = qv_frame_check(&scene->volume, &scene->view);
     if (status == QV_OK && !is_rotation(scene->view.rotation))
         status = QV_ERROR_VIEW;
     return status;
 }
 
-static qv_status check(const qv_splat_scene *scene)
+static FX_NOINLINE qv_status check(const qv_splat_scene *scene)
 {
     if (!scene->splatting || !scene->kernel || !scene->domain)
         return QV_ERROR_NULL;
@@ -107,7 +105,7 @@ static fx_scaled voxel_volume(const uint32_t spacing[3])
     return product;
 }
 
-static qv_status set_geometry(qv_splats *splats)
+static FX_NOINLINE qv_status set_geometry(qv_splats *splats)
 {
     const qv_view *view = &splats->scene.view;
     const uint32_t *spacing = splats->scene.volume.spacing;
@@ -138,7 +136,7 @@ static qv_status set_geometry(qv_splats *splats)
 /* ---- Viewer ----------------------------------------------------------------- */
 
 /* Half voxels from the centre of the box to the eye, Q47.16: below 2^45. */
-static void eye_of(int64_t eye[3], const qv_splat_scene *scene, qv_coord distance)
+static FX_NOINLINE void eye_of(int64_t eye[3], const qv_splat_scene *scene, qv_coord distance)
 {
     int64_t world[3];
     for (unsigned axis = 0; axis < 3; axis++) /* twice the way */
@@ -166,7 +164,7 @@ int qv_splat_eye(uint16_t position[3], const qv_splat_scene *scene)
 }
 
 /* An orthographic viewer is in the same direction for all voxels. */
-static qv_status set_orthographic(qv_splats *splats)
+static FX_NOINLINE qv_status set_orthographic(qv_splats *splats)
 {
     qv_splat_scene *scene = &splats->scene;
     scene->inside = 0; /* there is no eye that could be in the volume */
@@ -192,7 +190,8 @@ static qv_status set_orthographic(qv_splats *splats)
 
 /* From a corner of what an eye sees, the way to the eye; 0 where that is no way at all. Voxels
    whose centres lie beyond are not drawn. */
-static int corner_of(int32_t scaled[3], const qv_splats *splats, qv_coord distance, unsigned corner)
+static FX_NOINLINE int corner_of(int32_t scaled[3], const qv_splats *splats, qv_coord distance,
+                                 unsigned corner)
 {
     const qv_splat_scene *scene = &splats->scene;
     const qv_view *view = &scene->view; /* its pitch and the reach are Q16.16: below 2^56 */
@@ -214,7 +213,7 @@ static int corner_of(int32_t scaled[3], const qv_splats *splats, qv_coord distan
 }
 
 /* Light must be known from all directions by which it may come, and be seen where the eye is. */
-static qv_status check_reach(const qv_splats *splats, qv_coord distance)
+static FX_NOINLINE qv_status check_reach(const qv_splats *splats, qv_coord distance)
 {
     const qv_splat_scene *scene = &splats->scene;
     int32_t corner[4][3];
@@ -240,7 +239,7 @@ static qv_status check_reach(const qv_splats *splats, qv_coord distance)
     return QV_OK;
 }
 
-static qv_status set_perspective(qv_splats *splats)
+static FX_NOINLINE qv_status set_perspective(qv_splats *splats)
 {
     uint16_t position[3];
     qv_coord distance;
@@ -259,7 +258,7 @@ static qv_status set_perspective(qv_splats *splats)
 }
 
 /* Where no byte towards the viewer is read, all count as there. */
-static qv_status set_light(qv_splats *splats)
+static FX_NOINLINE qv_status set_light(qv_splats *splats)
 {
     const qv_splat_scene *scene = &splats->scene;
     qv_thickness thickness;
@@ -279,18 +278,19 @@ static qv_status set_light(qv_splats *splats)
 
 qv_status qv_splat_init(qv_splats *splats, const qv_splat_scene *scene)
 {
-    qv_splats made;
+    const size_t known = sizeof splats->scene;
     qv_status status = splats && scene ? check(scene) : QV_ERROR_NULL;
     if (status != QV_OK)
         return status;
-    memset(&made, 0, sizeof made);
-    made.scene = *scene;
-    status = set_geometry(&made);
+    splats->scene = *scene;
+    memset((uint8_t *)splats + known, 0, sizeof *splats - known);
+    status = set_geometry(splats);
     if (status == QV_OK)
-        status = set_light(&made);
+        status = set_light(splats);
     if (status == QV_OK)
-        status = scene->field_of_view == 0 ? set_orthographic(&made) : set_perspective(&made);
-    if (status == QV_OK)
-        *splats = made;
+        status =
+            splats->scene.field_of_view == 0 ? set_orthographic(splats) : set_perspective(splats);
+    if (status != QV_OK)
+        memset(splats, 0, sizeof *splats);
     return status;
 }

@@ -38,9 +38,11 @@ FX_TABLE char texts[] =
     "eye in the volume where no light gets out of it\0"
     "a sum of splats is full\0"
     "memory that is written is also read\0"
+    "voxels could not be read\0"
+    "pages too few, too small or not made ready for the volume\0"
     "unknown status";
 
-#define LAST_ERROR QV_ERROR_OVERLAP
+#define LAST_ERROR QV_ERROR_PAGES
 
 /* The start of the text that follows this one. */
 static const char *next_text(const char *text)

@@ -3,7 +3,8 @@
 #include "palette.h"
 #include "storage.h"
 
-qv_status qv_volume_check(const qv_volume *volume)
+/* Dissolves into both checks, since each links only its own. */
+FX_INLINE qv_status check_voxels(const qv_volume *volume)
 {
     if (!volume || !volume->voxels)
         return QV_ERROR_NULL;
@@ -17,6 +18,17 @@ qv_status qv_volume_check(const qv_volume *volume)
                                        qv_voxel_bytes(storage), alignment);
     if (status == QV_OK)
         status = qv_palette_check(volume, qv_channel_bytes(storage), qv_storage_indexed(storage));
+    return status;
+}
+
+qv_status qv_voxels_check(const qv_volume *volume)
+{
+    return check_voxels(volume);
+}
+
+qv_status qv_volume_check(const qv_volume *volume)
+{
+    qv_status status = check_voxels(volume);
     if (status == QV_OK)
         status = qv_spacing_check(volume->spacing);
     return status;

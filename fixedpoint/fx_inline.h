@@ -1,21 +1,27 @@
 /*
- * fx_inline.h - functions that must dissolve into their caller.
+ * fx_inline.h - functions that must dissolve into their caller, and functions that must not.
  *
  * The sampling modes are one loop put together from small parts that are passed
  * as constant arguments; inlined, no call and no pointer is left of them.
+ *
+ * A step of some length keeps its temporaries in a stack frame of its own, which is gone before
+ * the next step begins. Compilers that see its one caller would inline it, and the frame of all
+ * steps together would lie below the deepest of them.
  */
 #ifndef FX_INLINE_H
 #define FX_INLINE_H
 
 #if defined(__GNUC__)
-#define FX_INLINE static inline __attribute__((always_inline))
+#define FX_INLINE   static inline __attribute__((always_inline))
+#define FX_NOINLINE __attribute__((noinline))
 #else
 #define FX_INLINE static inline
+#define FX_NOINLINE
 #endif
 
 /* In front of a loop of at most 8 rounds whose arrays are to become registers. Where size counts,
    it stays a loop; other compilers decide for themselves. */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
 #define FX_UNROLL _Pragma("GCC unroll 8")
 #else
 #define FX_UNROLL

@@ -22,10 +22,22 @@ fx_scaled fx_scaled_of(uint64_t v, int exponent)
 fx_scaled fx_scaled_times(fx_scaled a, fx_scaled b)
 {
     uint64_t product = fx_wide_product(a.mantissa, b.mantissa); /* 0 or 2^62 .. 2^64 - 2^33 + 1 */
-    unsigned shift = product >> 63 != 0 ? 32 : 31;
-    /* Rounding may carry into bit 32, which fx_scaled_of cuts again. */
-    uint64_t rounded = (product >> shift) + (product >> (shift - 1u) & 1u);
-    return fx_scaled_of(rounded, a.exponent + b.exponent + (int)shift);
+    uint32_t high = (uint32_t)(product >> 32), low = (uint32_t)product;
+    int exponent = a.exponent + b.exponent + 32;
+    if (high == 0)
+        return fx_scaled_of(0, 0);
+    if (high < LEAST_MANTISSA) {
+        high = high << 1 | low >> 31;
+        low <<= 1;
+        exponent--;
+    }
+    high += low >> 31;
+    if (high == 0) { /* rounded up to 2^32 */
+        high = LEAST_MANTISSA;
+        exponent++;
+    }
+    fx_scaled scaled = {high, (int16_t)exponent};
+    return scaled;
 }
 
 /* 1 / (mantissa * 2^exponent): fx_reciprocal takes mantissa / 2 as Q1.31, that is the mantissa by

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "golden.h"
+#include "paged.h"
 #include "scenes.h"
 #include "tally.h"
 
@@ -56,6 +57,27 @@ static void check_checksums(uint32_t number, const golden_scene *golden)
         passed = false;
     }
     print_result(passed, "checksums", number, golden);
+}
+
+/* ---- Through pages -------------------------------------------------------- */
+
+/* The same checksum through every cache. */
+static void check_pages(uint32_t number, const golden_scene *golden)
+{
+    bool passed = true;
+    memory.change = golden_page;
+    for (unsigned cache = 0; cache < GOLDEN_CACHES; cache++) {
+        uint32_t checksum = 0;
+        golden_choose_cache(cache, golden->mode);
+        qv_status status = golden->render(&checksum, &memory, golden, GOLDEN_PIECES);
+        if (status == QV_OK && checksum == golden_checksums[number] && golden_pages.reads > 0)
+            continue;
+        fprintf(stderr, "golden %" PRIu32 " through pages %u: %s, %08" PRIx32 "\n", number, cache,
+                qv_status_text(status), checksum);
+        passed = false;
+    }
+    memory.change = NULL;
+    print_result(passed, "pages", number, golden);
 }
 
 /* ---- The picture itself --------------------------------------------------- */
@@ -308,6 +330,8 @@ int main(int count, char **arguments)
             golden_scene golden;
             golden_describe(&golden, sets[i], number);
             check_checksums(number, &golden);
+            if (!golden.splats.how && golden_is_paged(golden.mode))
+                check_pages(number, &golden);
             if (golden.splats.how)
                 check_freevoxels(number, &golden);
             else

@@ -234,7 +234,6 @@ static void expect_sight(qv_angle field, const int64_t place[2], const uint32_t 
     qv_splat_scene scene;
     qv_splats splats;
     qv_sight sight;
-    int32_t half[3];
     scene_of_examples(&scene, &qv_splatting_added, field);
     assert_int_equal(qv_splat_init(&splats, &scene), QV_OK);
     expect_scaled(qv_splats_number(&splats, QV_WIDTH), 0xDA295076u, -31);
@@ -242,8 +241,7 @@ static void expect_sight(qv_angle field, const int64_t place[2], const uint32_t 
     assert_true(splats.factor == 2750644864u && splats.shift == 22);
     assert_true(splats.across[0] == 3256079562 && splats.across[1] == 1663098708 &&
                 splats.across[2] == -169375289);
-    qv_half_voxels(half, scene.volume.size, position, 0);
-    assert_true(qv_sight_of(&sight, &splats, half, 0));
+    assert_true(qv_sight_of(&sight, &splats, position, 0));
     assert_true(sight.x == place[0] && sight.y == place[1]);
     assert_true(sight.width == numbers[0] && sight.height == numbers[1]);
     assert_true(sight.gain == numbers[2] && sight.length == numbers[3]);

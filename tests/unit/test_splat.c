@@ -247,9 +247,7 @@ static void levels_cover_each_place_once(void **state)
 static int is_seen(const qv_splats *splats, const uint16_t at[3], unsigned level)
 {
     qv_sight sight;
-    int32_t half[3];
-    qv_half_voxels(half, splats->scene.volume.size, at, level);
-    return qv_sight_of(&sight, splats, half, level);
+    return qv_sight_of(&sight, splats, at, level);
 }
 
 /* An eye among the voxels: what it sees of them is not lost in coarser ones that it is too near

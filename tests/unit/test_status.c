@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* The errors count down to it. */
-#define LAST_ERROR QV_ERROR_OVERLAP
+#define LAST_ERROR QV_ERROR_PAGES
 
 static const char *text_of(int status)
 {

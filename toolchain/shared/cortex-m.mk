@@ -11,3 +11,6 @@ TARGET_PORT_FOLDER := port/cortex-m
 TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 
 include toolchain/shared/firmware.mk
+
+# What its assembly computes beside what C does.
+TARGET_FIRMWARE += passages

@@ -1,0 +1,11 @@
+#include "paged_march.h"
+
+static const qv_family family = {qv_paged_bspline_weighted, qv_extinction_under, qv_extinction_over,
+                                 1};
+
+static qv_status prepare(qv_context *context, const qv_scene *scene)
+{
+    return qv_prepare_paged(context, scene, qv_medium_extinction, QV_SPLINE_TAPS);
+}
+
+QV_EACH_PAGED(EXTINCTION, bspline_extinction, &family)

@@ -1,0 +1,11 @@
+#include "paged_march.h"
+
+static const qv_family family = {qv_paged_bspline_weighted, qv_corrected_under, qv_corrected_over,
+                                 0};
+
+static qv_status prepare(qv_context *context, const qv_scene *scene)
+{
+    return qv_prepare_paged(context, scene, qv_medium_corrected, QV_SPLINE_TAPS);
+}
+
+QV_EACH_PAGED(CORRECTED, bspline_weighted, &family)

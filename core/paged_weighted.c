@@ -1,0 +1,3 @@
+#include "paged_march.h"
+
+QV_EACH_PAGED_STEPS(weighted)
