@@ -6,8 +6,8 @@ set -eu
 build=${BUILD:-build}
 
 same() { # same TARGET
-    make -s TARGET="$1" OPTIMISE=-O2 BUILD="$build/passages" "$build/passages/$1/passages.elf" &&
-        toolchain/emulate "$1" "$build/passages/$1/passages.elf" >"$work/said" &&
+    make -s TARGET="$1" BUILD="$build" "$build/$1/passages.elf" &&
+        toolchain/emulate "$1" "$build/$1/passages.elf" >"$work/said" &&
         grep '^#' "$work/said" && grep -q '^ok 1 ' "$work/said"
 }
 
