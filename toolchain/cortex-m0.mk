@@ -3,6 +3,6 @@
 TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := microbit
 TARGET_CPU := -mcpu=cortex-m0 -mthumb
-# Sampling of associated colours in assembly, see core/preweighted.h.
-TARGET_CPU += -Iport/cortex-m -DQV_PASSAGE_HEADER='"passage_v6m.h"'
+TARGET_MARCH :=
+TARGET_PASSAGE := passage_v6m.h
 include toolchain/shared/cortex-m.mk

@@ -3,7 +3,5 @@ TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := mps2-an385
 TARGET_MEMORIES := mps2
 TARGET_CPU := -mcpu=cortex-m3 -mthumb
-# Sampling of associated colours in assembly, see core/preweighted.h.
-TARGET_CPU += -Iport/cortex-m -DQV_PASSAGE_HEADER='"passage_v7m.h"'
 TARGET_LEVELS := -O3
 include toolchain/shared/cortex-m.mk

@@ -3,8 +3,6 @@
 TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := lm3s6965evb
 TARGET_CPU := -mcpu=cortex-m3 -mthumb
-# Sampling of associated colours in assembly, see core/preweighted.h.
-TARGET_CPU += -Iport/cortex-m -DQV_PASSAGE_HEADER='"passage_v7m.h"'
 include toolchain/shared/cortex-m.mk
 
 # The head on the OLED: 205 KB of indices in flash.

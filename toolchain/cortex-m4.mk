@@ -3,6 +3,4 @@ TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := mps2-an386
 TARGET_MEMORIES := mps2
 TARGET_CPU := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft
-# Sampling of associated colours in assembly, see core/preweighted.h.
-TARGET_CPU += -Iport/cortex-m -DQV_PASSAGE_HEADER='"passage_v7m.h"'
 include toolchain/shared/cortex-m.mk
