@@ -58,17 +58,10 @@ DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CF
 # Objects of sources in the tree, and of generated ones, which lie in $(OUT).
 objects = $(patsubst %.c,$(OUT)/%.o,$(1:$(OUT)/%=%))
 
-.PHONY: firmware golden golden-sets golden-levels
+.PHONY: firmware golden
 firmware: $(TARGET_FIRMWARE:%=$(OUT)/%.elf)
 
 golden: $(TARGET_GOLDEN:%=$(OUT)/golden_%.elf)
-
-# What tests/device/golden.sh asks.
-golden-sets:
-	@echo "$(TARGET_GOLDEN)"
-
-golden-levels:
-	@echo "$(TARGET_LEVELS)"
 
 $(OUT)/port/%.o: port/%.c $(DEVICE_OPTIONS)
 	@mkdir -p $(@D)
