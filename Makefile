@@ -39,8 +39,15 @@ endif
 # ---- The library: no package needed -----------------------------------------
 
 LIBRARY_SOURCES := $(sort $(wildcard core/*.c fixedpoint/*.c))
-LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o)
-LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) -Icore -Ifixedpoint
+# Marches of the target's own, see core/march.h; make MARCH= TARGET=... does with those in C.
+MARCH ?= $(TARGET_MARCH)
+ifneq ($(MARCH),)
+MARCH_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
+MARCH_OBJECTS := $(TARGET_MARCH_SOURCES:%.S=$(OUT)/%.o)
+endif
+LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o) $(MARCH_OBJECTS)
+LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) $(MARCH_CFLAGS) \
+	-Icore -Ifixedpoint
 
 .PHONY: all lib
 ifeq ($(TARGET),host)
@@ -74,6 +81,11 @@ $(OUT)/fixedpoint/%.o: fixedpoint/%.c $(OPTIONS)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
 
+$(OUT)/%.o: %.S $(OPTIONS)
+	@mkdir -p $(@D)
+	@echo "  AS  $<"
+	@$(TARGET_CC) $(TARGET_CFLAGS) -c $< -o $@
+
 -include $(LIBRARY_OBJECTS:.o=.d)
 
 # ---- What runs on the library -------------------------------------------------
@@ -100,13 +112,22 @@ bench: $(QVOL) ## instructions per sample on the devices, samples per second on 
 
 # ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo gallery papers test test-exhaustive test-devices
+.PHONY: setup demo gallery picture papers test test-exhaustive test-devices
 setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
 demo: setup ## pictures of a real MRI, and of a microcontroller drawing it: build/demo/
 	@$(MAKE) -s --no-print-directory all
 	@toolchain/demo
+
+# On rv32imc's colour panel; PICTURE_TARGET=cortex-m3 has an OLED.
+PICTURE_TARGET ?= rv32imc
+
+picture: ## one picture, drawn by an emulated board: build/picture.png; needs its compiler and QEMU
+	@$(MAKE) -s --no-print-directory TARGET=$(PICTURE_TARGET) $(BUILD)/$(PICTURE_TARGET)/picture.elf
+	@BUILD=$(BUILD) toolchain/screenshot $(PICTURE_TARGET) $(BUILD)/$(PICTURE_TARGET)/picture.elf \
+		$(BUILD)/picture.png
+	@echo "  PNG $(BUILD)/picture.png"
 
 gallery: setup ## a head turning on the panels of emulated boards, beside the host's: build/gallery/
 	@toolchain/gallery $(BUILD)/gallery cortex-m3 rv32imc
