@@ -30,6 +30,7 @@ FIRMWARE_blends := tests/bench/blends_device.c
 TARGET_BALL ?= port/ball_flash.c
 BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
 FIRMWARE_ball := port/firmware_ball.c $(BALL_IN_FLASH)
+FIRMWARE_pages := port/firmware_pages.c $(BALL_IN_FLASH)
 FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
 ifdef TARGET_PANEL
 TARGET_FIRMWARE += head picture
