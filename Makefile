@@ -100,13 +100,22 @@ bench: $(QVOL) ## instructions per sample on the devices, samples per second on 
 
 # ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo gallery papers test test-exhaustive
+.PHONY: setup demo gallery picture papers test test-exhaustive test-devices devices
 setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
 demo: setup ## pictures of a real MRI, and of a microcontroller drawing it: build/demo/
 	@$(MAKE) -s --no-print-directory all
 	@toolchain/demo
+
+# On rv32imc's colour panel; PICTURE_TARGET=cortex-m3 has an OLED.
+PICTURE_TARGET ?= rv32imc
+
+picture: ## one picture, drawn by an emulated board: build/picture.png; needs its compiler and QEMU
+	@$(MAKE) -s --no-print-directory TARGET=$(PICTURE_TARGET) $(BUILD)/$(PICTURE_TARGET)/picture.elf
+	@BUILD=$(BUILD) toolchain/screenshot $(PICTURE_TARGET) $(BUILD)/$(PICTURE_TARGET)/picture.elf \
+		$(BUILD)/picture.png
+	@echo "  PNG $(BUILD)/picture.png"
 
 gallery: setup ## a head turning on the panels of emulated boards, beside the host's: build/gallery/
 	@toolchain/gallery $(BUILD)/gallery cortex-m3 rv32imc
@@ -117,6 +126,12 @@ papers: setup ## figures and numbers of the papers, recomputed: build/papers/
 
 test: setup ## everything that is tested; ends with "N passed, N failed"
 	@$(MAKE) --no-print-directory test-all
+
+test-devices: setup ## the golden scenes on every target: a matrix
+	@tests/run tests/device/golden.sh
+
+devices:
+	@echo "$(DEVICES)"
 
 test-exhaustive: ## every input of every fixed-point function: an hour or so
 	@$(MAKE) --no-print-directory exhaustive

@@ -1,10 +1,11 @@
 /*
  * volume_flash.h - voxels, palettes and scalars in program memory, anywhere in its 128 KB:
  * pointers reach the lower half alone, so addresses are numbers (QV_MEMORY_HEADER).
- * Descriptors lie in the lower half, as tables do, so that they have pointers.
  */
 #ifndef VOLUME_FLASH_H
 #define VOLUME_FLASH_H
+
+#include "descriptor_flash.h"
 
 #include <avr/pgmspace.h>
 
@@ -57,14 +58,5 @@ static inline int qv_distance(uintptr_t *distance, const void *written, qv_addre
     (void)read;
     return 0;
 }
-
-/* A definition of a descriptor; and its field, by as many bytes as it has. */
-#define QV_DESCRIPTOR const PROGMEM
-#define QV_FIELD(descriptor, field)                                                                \
-    ((__typeof__((descriptor)->field))__builtin_choose_expr(                                       \
-        sizeof((descriptor)->field) == sizeof(uint32_t), pgm_read_dword(&(descriptor)->field),     \
-        __builtin_choose_expr(sizeof((descriptor)->field) == sizeof(uint16_t),                     \
-                              pgm_read_word(&(descriptor)->field),                                 \
-                              pgm_read_byte(&(descriptor)->field))))
 
 #endif /* VOLUME_FLASH_H */

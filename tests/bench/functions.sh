@@ -26,7 +26,7 @@ machine() { # machine TARGET: what the compiler is told of it
 # count TARGET: lines "NAME INSTRUCTIONS CYCLES" of a call, less those of an
 # empty one; what the third figure is on a Cortex-M does not matter.
 count() {
-    out=$BUILD/bench-O2
+    out=$BUILD/devices-O2
     make -s TARGET="$1" OPTIMISE=-O2 BUILD="$out" "$out/$1/functions.elf" >&2
     EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/functions.elf" >"$work/names" \
         2>"$work/messages" || { cat "$work/messages" >&2; exit 1; }

@@ -10,7 +10,7 @@ $CC -std=c99 -O2 -Ifixedpoint -Iport tests/bench/board_host.c \
 "$work/host" >"$work/expected"
 
 runs() { # runs TARGET OPTIMISE: the results of this machine
-    top=$BUILD/functions$2
+    top=$BUILD/devices$2
     make -s TARGET="$1" OPTIMISE="$2" BUILD="$top" "$top/$1/functions.elf" &&
         toolchain/emulate "$1" "$top/$1/functions.elf" >"$work/results" &&
         diff "$work/expected" "$work/results" && [ "$(wc -l <"$work/results")" -ge 9 ]
