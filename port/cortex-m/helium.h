@@ -371,8 +371,8 @@ FX_INLINE void helium_march(qv_light *light, qv_ray *ray, const qv_context *cont
         qv_ray_count_from(ray, (int32_t)some);
 }
 
-FX_INLINE int qv_march_vectors(qv_light *light, qv_ray *ray, const qv_context *context,
-                               unsigned storage, qv_taking *mode, int back)
+FX_INLINE int qv_march_twin(qv_light *light, qv_ray *ray, const qv_context *context,
+                            unsigned storage, qv_taking *mode, int back)
 {
     if (mode != qv_take_weighted || qv_channel_bytes(storage) != 1 ||
         !helium_reads(&context->scene.volume, storage))
