@@ -25,6 +25,7 @@ FIRMWARE_bench := tests/bench/bench_device.c $(TARGET_BENCH_MODES)
 FIRMWARE_float := tests/bench/float_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_marches := tests/device/marches.c
+FIRMWARE_passages := tests/device/passages.c
 FIRMWARE_blends := tests/bench/blends_device.c
 TARGET_BALL ?= port/ball_flash.c
 BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
@@ -64,17 +65,10 @@ include tests/size/size.mk
 # Objects of sources in the tree, and of generated ones, which lie in $(OUT).
 objects = $(patsubst %.c,$(OUT)/%.o,$(1:$(OUT)/%=%))
 
-.PHONY: firmware golden golden-sets golden-levels
+.PHONY: firmware golden
 firmware: $(TARGET_FIRMWARE:%=$(OUT)/%.elf)
 
 golden: $(TARGET_GOLDEN:%=$(OUT)/golden_%.elf)
-
-# What tests/device/golden.sh asks.
-golden-sets:
-	@echo "$(TARGET_GOLDEN)"
-
-golden-levels:
-	@echo "$(TARGET_LEVELS)"
 
 $(OUT)/port/%.o: port/%.c $(DEVICE_OPTIONS)
 	@mkdir -p $(@D)
