@@ -45,9 +45,14 @@ ifneq ($(MARCH),)
 MARCH_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
 MARCH_OBJECTS := $(TARGET_MARCH_SOURCES:%.S=$(OUT)/%.o)
 endif
+# Passages likewise, see core/preweighted.h; make PASSAGE= TARGET=...
+PASSAGE ?= $(TARGET_PASSAGE)
+ifneq ($(PASSAGE),)
+PASSAGE_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_PASSAGE_HEADER='"$(PASSAGE)"'
+endif
 LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o) $(MARCH_OBJECTS)
 LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) $(MARCH_CFLAGS) \
-	-Icore -Ifixedpoint
+	$(PASSAGE_CFLAGS) -Icore -Ifixedpoint
 
 .PHONY: all lib
 ifeq ($(TARGET),host)
@@ -112,7 +117,7 @@ bench: $(QVOL) ## instructions per sample on the devices, samples per second on 
 
 # ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo gallery picture papers test test-exhaustive test-devices devices
+.PHONY: setup demo gallery picture papers test test-exhaustive test-devices
 setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
@@ -141,9 +146,6 @@ test: setup ## everything that is tested; ends with "N passed, N failed"
 
 test-devices: setup ## the golden scenes on every target: a matrix
 	@tests/run tests/device/golden.sh
-
-devices:
-	@echo "$(DEVICES)"
 
 test-exhaustive: ## every input of every fixed-point function: an hour or so
 	@$(MAKE) --no-print-directory exhaustive
@@ -194,6 +196,10 @@ lint: ## layout, static analysis, shell scripts
 
 readme: ## write the figures of README.md anew
 	tests/bench/readme.sh
+
+# What scripts ask: make -s TARGET=... print-TARGET_CC
+print-%:
+	@echo "$($*)"
 
 clean: ## remove everything built
 	rm -rf $(BUILD)

@@ -14,4 +14,10 @@ TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 TARGET_MARCH ?= thumb.h
 TARGET_MARCH_SOURCES ?= port/cortex-m/march_thumb2.S
 
+# Sampling of associated colours in assembly (core/preweighted.h).
+TARGET_PASSAGE ?= passage_v7m.h
+
 include toolchain/shared/firmware.mk
+
+# What its assembly computes beside what C does.
+TARGET_FIRMWARE += passages
