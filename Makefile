@@ -39,8 +39,15 @@ endif
 # ---- The library: no package needed -----------------------------------------
 
 LIBRARY_SOURCES := $(sort $(wildcard core/*.c fixedpoint/*.c))
-LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o)
-LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) -Icore -Ifixedpoint
+# Marches of the target's own, see core/march.h; make MARCH= TARGET=... does with those in C.
+MARCH ?= $(TARGET_MARCH)
+ifneq ($(MARCH),)
+MARCH_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
+MARCH_OBJECTS := $(TARGET_MARCH_SOURCES:%.S=$(OUT)/%.o)
+endif
+LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o) $(MARCH_OBJECTS)
+LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) $(MARCH_CFLAGS) \
+	-Icore -Ifixedpoint
 
 .PHONY: all lib
 ifeq ($(TARGET),host)
@@ -73,6 +80,11 @@ $(OUT)/fixedpoint/%.o: fixedpoint/%.c $(OPTIONS)
 	@mkdir -p $(@D)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
+
+$(OUT)/%.o: %.S $(OPTIONS)
+	@mkdir -p $(@D)
+	@echo "  AS  $<"
+	@$(TARGET_CC) $(TARGET_CFLAGS) -c $< -o $@
 
 -include $(LIBRARY_OBJECTS:.o=.d)
 

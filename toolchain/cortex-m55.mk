@@ -3,9 +3,5 @@
 TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := mps3-an547
 TARGET_CPU := -march=armv8.1-m.main+mve -mthumb -mfloat-abi=hard
-# Marches of vectors, see core/march.h.
-TARGET_CPU += -Iport/cortex-m -DQV_MARCH_HEADER='"helium.h"'
+TARGET_MARCH := helium.h
 include toolchain/shared/cortex-m.mk
-
-# What its vectors compute beside what C does.
-TARGET_FIRMWARE += marches

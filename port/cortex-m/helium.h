@@ -369,8 +369,8 @@ FX_INLINE void helium_march(qv_light *light, qv_ray *ray, const qv_context *cont
     light->terminated = !back && light->transmittance <= h.enough && ray->samples != 0;
 }
 
-FX_INLINE int qv_march_vectors(qv_light *light, qv_ray *ray, const qv_context *context,
-                               unsigned storage, qv_taking *mode, int back)
+FX_INLINE int qv_march_twin(qv_light *light, qv_ray *ray, const qv_context *context,
+                            unsigned storage, qv_taking *mode, int back)
 {
     if (mode != qv_take_weighted || qv_channel_bytes(storage) != 1 ||
         !helium_reads(&context->scene.volume, storage))

@@ -148,15 +148,15 @@ static void march_in_c(qv_light *light, qv_ray *ray, const form *f)
         qv_march(light, ray, &context, QV_STORAGE_INDEXED8, qv_take_weighted);
 }
 
-static int march_in_vectors(qv_light *light, qv_ray *ray, const form *f)
+static int march_in_twin(qv_light *light, qv_ray *ray, const form *f)
 {
     if (f->storage == QV_STORAGE_RGBA8 && f->back)
-        return qv_march_vectors(light, ray, &context, QV_STORAGE_RGBA8, qv_take_weighted, 1);
+        return qv_march_twin(light, ray, &context, QV_STORAGE_RGBA8, qv_take_weighted, 1);
     if (f->storage == QV_STORAGE_RGBA8)
-        return qv_march_vectors(light, ray, &context, QV_STORAGE_RGBA8, qv_take_weighted, 0);
+        return qv_march_twin(light, ray, &context, QV_STORAGE_RGBA8, qv_take_weighted, 0);
     if (f->back)
-        return qv_march_vectors(light, ray, &context, QV_STORAGE_INDEXED8, qv_take_weighted, 1);
-    return qv_march_vectors(light, ray, &context, QV_STORAGE_INDEXED8, qv_take_weighted, 0);
+        return qv_march_twin(light, ray, &context, QV_STORAGE_INDEXED8, qv_take_weighted, 1);
+    return qv_march_twin(light, ray, &context, QV_STORAGE_INDEXED8, qv_take_weighted, 0);
 }
 
 /* One ray both ways; returns its samples, or 0 where light or counts differ. */
@@ -167,13 +167,13 @@ static bool compare_ray(uint32_t *taken, const form *f)
     random_ray(&ray);
     other = ray;
     march_in_c(&exact, &ray, f);
-    bool same = march_in_vectors(&light, &other, f) == 1 && same_light(&light, &exact) &&
+    bool same = march_in_twin(&light, &other, f) == 1 && same_light(&light, &exact) &&
                 ray.all == other.all && ray.samples == other.samples;
     *taken += ray.all - ray.samples;
     if (same)
         return true;
     print_light("# C       ", &exact, &ray);
-    print_light("# vectors ", &light, &other);
+    print_light("# twin    ", &light, &other);
     return false;
 }
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Marches of vector instructions beside those in C, on the emulated devices that have them:
+# Marches in vectors or in assembly beside those in C, on the emulated devices that have them:
 # random rays, bit by bit. The golden scenes hold them to the host's pictures.
 set -eu
 . tests/tap
@@ -20,5 +20,7 @@ run() { # run TARGET
     outcome $code "$1: marches ran to its end"
 }
 
-run cortex-m55
+for target in cortex-m3 cortex-m4 cortex-m55; do
+    run $target
+done
 finish

@@ -37,6 +37,9 @@ FIRMWARE_picture := port/firmware_picture.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL
 FIRMWARE_head := port/firmware_head.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL).c $(OUT)/head.c
 endif
 
+# What the target's own marches compute beside what C does.
+TARGET_FIRMWARE += $(if $(MARCH),marches)
+
 # A program for each set of golden scenes, or for the part of a set whose voxels are of some
 # storages, where the flash holds no more: SET or SET.PART in TARGET_GOLDEN.
 TARGET_GOLDEN ?= steps lengths bsplines slices splats preweighted
@@ -51,7 +54,7 @@ golden_sources = $(addprefix tests/golden/,$(GOLDEN_ON_DEVICE) $(GOLDEN_$(basena
 $(foreach set,$(TARGET_GOLDEN),$(eval FIRMWARE_golden_$(set) := $(call golden_sources,$(set))))
 TARGET_FIRMWARE += $(TARGET_GOLDEN:%=golden_%)
 
-DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \
+DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(MARCH_CFLAGS) $(TARGET_PORT_CFLAGS) \
 	-Icore -Ifixedpoint -Iport -I$(TARGET_PORT_FOLDER) -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
 DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CFLAGS) $(TARGET_LDFLAGS))
