@@ -112,7 +112,7 @@ bench: $(QVOL) ## instructions per sample on the devices, samples per second on 
 
 # ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo gallery picture papers test test-exhaustive test-devices devices
+.PHONY: setup demo gallery picture papers test test-exhaustive test-devices
 setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
@@ -141,9 +141,6 @@ test: setup ## everything that is tested; ends with "N passed, N failed"
 
 test-devices: setup ## the golden scenes on every target: a matrix
 	@tests/run tests/device/golden.sh
-
-devices:
-	@echo "$(DEVICES)"
 
 test-exhaustive: ## every input of every fixed-point function: an hour or so
 	@$(MAKE) --no-print-directory exhaustive
@@ -194,6 +191,10 @@ lint: ## layout, static analysis, shell scripts
 
 readme: ## write the figures of README.md anew
 	tests/bench/readme.sh
+
+# What scripts ask: make -s TARGET=... print-TARGET_CC
+print-%:
+	@echo "$($*)"
 
 clean: ## remove everything built
 	rm -rf $(BUILD)

@@ -1,7 +1,7 @@
 # ATmega1284P, 8 bits: volumes lie in program memory.
 TARGET_OPTIONS := -DQV_MEMORY_HEADER='"volume_flash.h"'
 TARGET_GOLDEN :=
-TARGET_FIRMWARE := functions blends planet ball freevoxels
+TARGET_FIRMWARE := functions blends planet ball pages freevoxels
 include toolchain/shared/avr.mk
 
 # ---- The planet in flash ----------------------------------------------------------

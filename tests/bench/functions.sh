@@ -10,17 +10,12 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 tool() { # tool TARGET NAME: a program of its compiler's package
-    case $1 in
-    cortex-m*) echo "arm-none-eabi-$2" ;;
-    avr) echo "avr-$2" ;;
-    esac
+    compiler=$(make -s TARGET="$1" print-TARGET_CC)
+    echo "${compiler%gcc}$2"
 }
 
 machine() { # machine TARGET: what the compiler is told of it
-    case $1 in
-    cortex-m*) echo "-mcpu=$1 -mthumb" ;;
-    avr) echo "-mmcu=atmega1284p" ;;
-    esac
+    make -s TARGET="$1" print-TARGET_CPU
 }
 
 # count TARGET: lines "NAME INSTRUCTIONS CYCLES" of a call, less those of an

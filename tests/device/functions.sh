@@ -16,7 +16,7 @@ runs() { # runs TARGET OPTIMISE: the results of this machine
         diff "$work/expected" "$work/results" && [ "$(wc -l <"$work/results")" -ge 9 ]
 }
 
-for optimise in -Os -O3; do
+for optimise in -Os -O2; do
     check "functions of optical depth on cortex-m0 $optimise" runs cortex-m0 $optimise
     check "functions of optical depth on cortex-m3 $optimise" runs cortex-m3 $optimise
     check "functions of optical depth on avr $optimise" runs avr $optimise

@@ -17,7 +17,7 @@ unset MAKEFLAGS MFLAGS MAKELEVEL # of a make that runs the script
 run() { # run TARGET LEVEL
     top=$BUILD/devices$2
     make -s TARGET="$1" OPTIMISE="$2" BUILD="$top" golden
-    for set in $(make -s TARGET="$1" golden-sets); do
+    for set in $(make -s TARGET="$1" print-TARGET_GOLDEN); do
         toolchain/emulate "$1" "$top/$1/golden_$set.elf"
     done
     echo end
@@ -25,10 +25,10 @@ run() { # run TARGET LEVEL
 
 # Lines "TARGET LEVEL". Emulators are built here, before several runs use them.
 list_runs() {
-    for target in ${GOLDEN_TARGETS:-$(make -s devices)}; do
-        [ -n "$(make -s TARGET="$target" golden-sets)" ] || continue
+    for target in ${GOLDEN_TARGETS:-$(make -s print-DEVICES)}; do
+        [ -n "$(make -s TARGET="$target" print-TARGET_GOLDEN)" ] || continue
         make -s TARGET="$target" BUILD="$BUILD" emulator >/dev/null
-        for level in ${GOLDEN_LEVELS:-$(make -s TARGET="$target" golden-levels)}; do
+        for level in ${GOLDEN_LEVELS:-$(make -s TARGET="$target" print-TARGET_LEVELS)}; do
             echo "$target $level"
         done
     done

@@ -12,7 +12,7 @@ cp -r Makefile core fixedpoint port tests toolchain "$tree"
 sed -n 's/^    //; /^# toolchain\/cortex-m0plus.mk/,/^include/p' toolchain/TARGETS.md >"$file"
 
 is_listed() {
-    make -s -C "$tree" devices | tr ' ' '\n' | grep -x cortex-m0plus
+    make -s -C "$tree" print-DEVICES | tr ' ' '\n' | grep -x cortex-m0plus
 }
 
 run_new() {

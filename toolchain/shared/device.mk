@@ -30,6 +30,7 @@ FIRMWARE_blends := tests/bench/blends_device.c
 TARGET_BALL ?= port/ball_flash.c
 BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
 FIRMWARE_ball := port/firmware_ball.c $(BALL_IN_FLASH)
+FIRMWARE_pages := port/firmware_pages.c $(BALL_IN_FLASH)
 FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
 ifdef TARGET_PANEL
 TARGET_FIRMWARE += head picture
@@ -62,17 +63,10 @@ DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CF
 # Objects of sources in the tree, and of generated ones, which lie in $(OUT).
 objects = $(patsubst %.c,$(OUT)/%.o,$(1:$(OUT)/%=%))
 
-.PHONY: firmware golden golden-sets golden-levels
+.PHONY: firmware golden
 firmware: $(TARGET_FIRMWARE:%=$(OUT)/%.elf)
 
 golden: $(TARGET_GOLDEN:%=$(OUT)/golden_%.elf)
-
-# What tests/device/golden.sh asks.
-golden-sets:
-	@echo "$(TARGET_GOLDEN)"
-
-golden-levels:
-	@echo "$(TARGET_LEVELS)"
 
 $(OUT)/port/%.o: port/%.c $(DEVICE_OPTIONS)
 	@mkdir -p $(@D)
