@@ -141,14 +141,14 @@ typedef struct {
     "vldrw.u32 q3, [r12, q5, uxtw #2]\n"
 
 /* qv_under and qv_over. q3: colour and opacity, Q0.32, of the sample, its opacity in r0 too; q7:
-   light. The first keeps the transmittance in r5, and branches to 6 where r6 is enough. */
+   light. The first keeps the transmittance in r5, and branches to 6 where r8 is enough. */
 #define HELIUM_UNDER                                                       \
     "vdup.32 q2, r5\n"                                                     \
     "vrmulh.u32 q3, q3, q2\n"                                              \
     "vadd.i32 q7, q7, q3\n"                                                \
     "vmov.32 r0, q7[3]\n"                                                  \
     "rsb r5, r0, #0\n"                                                     \
-    "cmp r5, r6\n"                                                         \
+    "cmp r5, r8\n"                                                         \
     "bls 6f\n"
 #define HELIUM_OVER                                                        \
     "vdup.32 q2, r0\n"                                                     \
@@ -174,7 +174,7 @@ typedef struct {
     "vldrw.u32 q7, [%[p], %[light]]\n"                                     \
     "vmov.32 r5, q7[3]\n"                                                  \
     "rsb r5, r5, #0\n"                                                     \
-    "ldr r6, [%[p], %[enough]]\n"                                          \
+    "ldr r8, [%[p], %[enough]]\n"                                          \
     "ldr r4, [%[p], %[next]]\n"                                            \
     "ldr lr, [%[p], %[prepared]]\n"                                        \
     "cmp lr, #0\n"                                                         \
@@ -238,7 +238,7 @@ typedef struct {
 
 #define HELIUM_RUN(entries, composite)                                     \
     __asm__ volatile(HELIUM_MARCH(entries, composite)                      \
-                     : [p] "+&r"(p)                                        \
+                     : [p] "+r"(p)                                         \
                      : [axis] "i"(HELIUM_OFFSET(axis)), [left] "i"(HELIUM_OFFSET(left)), \
                        [right] "i"(HELIUM_OFFSET(right)),                  \
                        [light] "i"(HELIUM_OFFSET(light)),                  \
@@ -249,7 +249,7 @@ typedef struct {
                        [prepared] "i"(HELIUM_OFFSET(prepared)),            \
                        [unprepared] "i"(HELIUM_OFFSET(unprepared)),        \
                        [record] "i"(HELIUM_OFFSET(record))                 \
-                     : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r12", "lr", "q0", \
+                     : "r0", "r1", "r2", "r3", "r4", "r5", "r8", "r12", "lr", "q0", \
                        "q1", "q2", "q3", "q4", "q5", "q6", "q7", "cc", "memory")
 
 /* clang-format on */
@@ -329,13 +329,14 @@ static inline void helium_begin(helium_state *h, const qv_ray *ray, const qv_con
     h->unprepared = samples;
 }
 
-/* Takes sample `number` from where the ray stands, in the C form. */
-FX_INLINE void helium_take_alone(qv_light *light, qv_ray *ray, int32_t number,
-                                 const qv_volume *volume, unsigned storage, int back)
+/* Takes sample `number` from where the ray stands, in the C form. Seldom called: by itself, for
+   any storage and order, so that its stack and code are none of the march's. */
+__attribute__((noinline, unused)) static void
+helium_take_alone(qv_light *light, qv_ray *ray, int32_t number, const qv_volume *volume, int back)
 {
     uint32_t colour[3], opacity;
     qv_ray_count_from(ray, number);
-    if (!qv_take(colour, &opacity, ray, volume, storage, qv_take_weighted))
+    if (!qv_take(colour, &opacity, ray, volume, volume->storage, qv_take_weighted))
         light->skipped++;
     else if (back)
         qv_over(light, colour, opacity);
@@ -360,13 +361,14 @@ FX_INLINE void helium_march(qv_light *light, qv_ray *ray, const qv_context *cont
         if (left == 0)
             break;
         if (back || light->transmittance > h.enough)
-            helium_take_alone(light, ray, (int32_t)(some - left), &context->scene.volume, storage,
-                              back);
+            helium_take_alone(light, ray, (int32_t)(some - left), &context->scene.volume, back);
         h.prepared--;
         left--;
     }
     ray->samples -= some - left;
     light->terminated = !back && light->transmittance <= h.enough && ray->samples != 0;
+    if (some == HELIUM_SAMPLES_MAX)
+        qv_ray_count_from(ray, (int32_t)some);
 }
 
 FX_INLINE int qv_march_twin(qv_light *light, qv_ray *ray, const qv_context *context,
@@ -378,11 +380,8 @@ FX_INLINE int qv_march_twin(qv_light *light, qv_ray *ray, const qv_context *cont
     qv_ray_clip(ray, context);
     if (back)
         qv_reverse(ray);
-    helium_march(light, ray, context, storage, back);
-    while (ray->samples != 0 && !light->terminated) {
-        qv_ray_count_from(ray, (int32_t)HELIUM_SAMPLES_MAX);
+    while (ray->samples != 0 && !light->terminated)
         helium_march(light, ray, context, storage, back);
-    }
     return 1;
 }
 

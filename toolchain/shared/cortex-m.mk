@@ -16,4 +16,10 @@ ifeq ($(TARGET_MARCH),thumb2.h)
 TARGET_MARCH_SOURCES := port/cortex-m/march_thumb2.S
 endif
 
+# Sampling of associated colours in assembly (core/preweighted.h).
+TARGET_PASSAGE ?= passage_v7m.h
+
 include toolchain/shared/firmware.mk
+
+# What its assembly computes beside what C does.
+TARGET_FIRMWARE += passages
