@@ -14,6 +14,8 @@ TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 TARGET_MARCH ?= thumb2.h
 ifeq ($(TARGET_MARCH),thumb2.h)
 TARGET_MARCH_SOURCES := port/cortex-m/march_thumb2.S
+else ifeq ($(TARGET_MARCH),helium.h)
+TARGET_MARCH_SOURCES := port/cortex-m/march_helium.S
 endif
 
 include toolchain/shared/firmware.mk
