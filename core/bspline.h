@@ -156,9 +156,9 @@ FX_INLINE int qv_bspline(qv_sample *sample, const qv_ray *ray, const qv_volume *
 {
     qv_triple triple[3];
     qv_rows rows;
-    for (unsigned axis = 0; axis < 3; axis++)
-        qv_triple_locate(&triple[axis], volume->size[axis], (qv_offset)volume->stride[axis], ray,
-                         axis);
+    qv_triple_locate(&triple[0], volume->size[0], (qv_offset)volume->stride[0], ray, 0);
+    qv_triple_locate(&triple[1], volume->size[1], (qv_offset)volume->stride[1], ray, 1);
+    qv_triple_locate(&triple[2], volume->size[2], (qv_offset)volume->stride[2], ray, 2);
     qv_rows_locate(&rows, triple, volume);
     if (!qv_rows_begin(sample, &rows, volume, storage, factor))
         return 0;

@@ -1,5 +1,6 @@
 #include "level.h"
 
+#include "fx_inline.h"
 #include "pyramid.h"
 
 #define BLEND_BITS 24 /* from Q8.8 to Q0.32 */
@@ -67,17 +68,39 @@ void qv_span_blend(qv_span *span, const qv_run *run)
     span->rise = (uint32_t)fx_divide((uint64_t)1 << (32u + span->level), span->octave);
 }
 
-void qv_levels_describe(qv_levels *levels, unsigned finer, const qv_scene *scene)
+static void set_level(qv_level *level, const qv_volume *volume)
 {
-    if (levels->finer == finer)
-        return;
+    level->voxels = volume->voxels;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        level->stride[axis] = volume->stride[axis];
+        level->size[axis] = volume->size[axis];
+    }
+}
+
+/* Makes the levels those of a span. The second is only described where it exists. */
+static FX_NOINLINE void describe(qv_levels *levels, unsigned finer, const qv_scene *scene)
+{
+    qv_volume volume;
     for (unsigned i = 0; i < 2; i++) {
         unsigned number = finer + i;
-        if (number == 0)
-            levels->volume[i] = scene->volume;
-        else if (number <= scene->pyramid->levels)
-            qv_pyramid_describe(&levels->volume[i], &scene->volume, scene->pyramid,
-                                (uint8_t)number);
+        if (number == 0) {
+            set_level(&levels->level[i], &scene->volume);
+        } else if (number <= scene->pyramid->levels) {
+            qv_pyramid_describe(&volume, &scene->volume, scene->pyramid, (uint8_t)number);
+            set_level(&levels->level[i], &volume);
+        }
     }
     levels->finer = finer;
+}
+
+int qv_next_run_of_levels(qv_span *span, qv_levels *levels, qv_run *run, qv_ray *ray,
+                          const qv_scene *scene)
+{
+    qv_span_begin(span, ray, scene);
+    if (!qv_next_run(run, ray, span->end, span->level))
+        return 0;
+    qv_span_blend(span, run);
+    if (levels->finer != span->level)
+        describe(levels, span->level, scene);
+    return 1;
 }

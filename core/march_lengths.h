@@ -10,16 +10,17 @@
 #include "families.h"
 #include "stretch.h"
 
-FX_INLINE void qv_advance_run(qv_run *run)
+FX_INLINE void qv_advance_run(qv_run *run, qv_ray *ray)
 {
-    run->ray.samples--;
+    run->samples--;
     for (unsigned axis = 0; axis < 3; axis++)
-        run->ray.place[axis] += run->ray.advance[axis];
+        ray->place[axis] += ray->advance[axis];
 }
 
-/* What a ray looks at: one volume, or two levels of a span. */
+/* What a ray looks at: the volume of a scene, or two levels of a span. */
 typedef struct qv_sight {
-    const qv_volume *volume[2];
+    const qv_volume *volume;
+    const struct qv_levels *levels;
     struct qv_span *span;
 } qv_sight;
 
@@ -30,7 +31,7 @@ typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
 FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
                                 unsigned storage, const qv_family *family)
 {
-    return family->mode(sample, ray, sight->volume[0], storage);
+    return family->mode(sample, ray, sight->volume, storage);
 }
 
 /*
@@ -44,16 +45,16 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_medium medium;
     qv_medium_scale(&medium, &context->medium, run->length);
-    ray->samples -= run->ray.samples;
-    for (; run->ray.samples != 0; qv_advance_run(run)) {
+    ray->samples -= run->samples;
+    for (; run->samples != 0; qv_advance_run(run, ray)) {
         qv_sample sample;
-        if (!look(&sample, &run->ray, sight, storage, family)) {
+        if (!look(&sample, ray, sight, storage, family)) {
             light->skipped++;
             continue;
         }
         family->under(light, gathered, &sample, &medium, storage);
         if (light->transmittance <= enough) {
-            uint32_t rest = run->ray.samples - 1u;
+            uint32_t rest = run->samples - 1u;
             ray->samples += rest;
             light->terminated = rest != 0 || ray->enter < ray->leave;
             return 0;
@@ -63,15 +64,15 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
 }
 
 FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *context,
-                                unsigned storage, const qv_family *family)
+                                unsigned storage, const qv_family *family, qv_look *look)
 {
-    const qv_sight sight = {{&context->scene.volume, 0}, 0};
+    const qv_sight sight = {&context->scene.volume, 0, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
     qv_path_clip(ray, context);
+    qv_run_begin(&run, ray);
     while (qv_next_run(&run, ray, ray->leave, 0) &&
-           qv_march_run(light, &gathered, &run, ray, context, storage, family, qv_look_at_volume,
-                        &sight))
+           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &sight))
         ;
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);
@@ -79,19 +80,21 @@ FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *
 
 /* Back to front: every piece is taken. */
 FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_context *context,
-                                     unsigned storage, const qv_family *family)
+                                     unsigned storage, const qv_family *family, qv_look *look)
 {
+    const qv_sight sight = {&context->scene.volume, 0, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
     qv_path_clip(ray, context);
     qv_path_reverse(ray);
+    qv_run_begin(&run, ray);
     while (qv_next_run(&run, ray, ray->leave, 0)) {
         qv_medium medium;
         qv_medium_scale(&medium, &context->medium, run.length);
-        for (; run.ray.samples != 0; qv_advance_run(&run)) {
+        for (; run.samples != 0; qv_advance_run(&run, ray)) {
             qv_sample sample;
             ray->samples--;
-            if (family->mode(&sample, &run.ray, &context->scene.volume, storage))
+            if (look(&sample, ray, &sight, storage, family))
                 family->over(light, &gathered, &sample, &medium, storage);
             else
                 light->skipped++;
@@ -99,18 +102,29 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     }
 }
 
+/* How a family looks at a volume: as part of the loop, or apart from it. */
+#define QV_LOOK(family, look_apart) ((family)->apart ? look_apart : qv_look_at_volume)
+
 /*
  * Defines the sampling mode qv_MODE_SUFFIX of a family for a storage, in both orders.
  * Macros because the descriptors are public names; the code is qv_march_lengths.
  */
 #define QV_DEFINE_BY_LENGTH(mode, suffix, prepare, family, read_out, storage)                      \
+    static FX_NOINLINE int look_##suffix(qv_sample *sample, const qv_ray *ray,                     \
+                                         const qv_sight *sight, unsigned of, const qv_family *by)  \
+    {                                                                                              \
+        (void)of;                                                                                  \
+        (void)by;                                                                                  \
+        return qv_look_at_volume(sample, ray, sight, storage, family);                             \
+    }                                                                                              \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
-        qv_march_lengths(light, ray, context, storage, family);                                    \
+        qv_march_lengths(light, ray, context, storage, family, QV_LOOK(family, look_##suffix));    \
     }                                                                                              \
     static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
     {                                                                                              \
-        qv_march_lengths_back(light, ray, context, storage, family);                               \
+        qv_march_lengths_back(light, ray, context, storage, family,                                \
+                              QV_LOOK(family, look_##suffix));                                     \
     }                                                                                              \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage,  \
                                                       1};                                          \
