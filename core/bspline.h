@@ -93,16 +93,22 @@ FX_INLINE int qv_rows_any(const qv_rows *rows, const qv_volume *volume, unsigned
     return 0;
 }
 
+FX_INLINE uint32_t qv_larger(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
 /* The largest opacity of the 27 voxels. */
 FX_INLINE uint32_t qv_rows_most(const qv_rows *rows, const qv_volume *volume, unsigned storage)
 {
     uint32_t most = 0;
-    for (unsigned row = 0; row < 9; row++)
-        for (unsigned i = 0; i < 3; i++) {
-            qv_address entry = qv_rows_entry(rows, row, i, volume, storage);
-            uint32_t opacity = qv_opacity_bits(entry, storage);
-            most = opacity > most ? opacity : most;
-        }
+    for (unsigned row = 0; row < 9; row++) {
+        uint32_t a = qv_opacity_bits(qv_rows_entry(rows, row, 0, volume, storage), storage);
+        uint32_t b = qv_opacity_bits(qv_rows_entry(rows, row, 1, volume, storage), storage);
+        uint32_t c = qv_opacity_bits(qv_rows_entry(rows, row, 2, volume, storage), storage);
+        if ((a | b | c) != 0)
+            most = qv_larger(qv_larger(most, a), qv_larger(b, c));
+    }
     return most;
 }
 
@@ -130,9 +136,12 @@ FX_INLINE void qv_add_rows(qv_sample *sum, const qv_rows *rows, const qv_triple 
         for (unsigned j = 0; j < 3; j++) {
             unsigned number = 3u * k + j;
             qv_part(voxel, row[j], &triple[0]);
-            for (unsigned i = 0; i < 3; i++)
-                qv_add_of_row(sum, voxel[i], qv_rows_entry(rows, number, i, volume, storage),
-                              storage, factor);
+            qv_add_of_row(sum, voxel[0], qv_rows_entry(rows, number, 0, volume, storage), storage,
+                          factor);
+            qv_add_of_row(sum, voxel[1], qv_rows_entry(rows, number, 1, volume, storage), storage,
+                          factor);
+            qv_add_of_row(sum, voxel[2], qv_rows_entry(rows, number, 2, volume, storage), storage,
+                          factor);
         }
     }
 }
@@ -156,16 +165,17 @@ FX_INLINE int qv_bspline(qv_sample *sample, const qv_ray *ray, const qv_volume *
 {
     qv_triple triple[3];
     qv_rows rows;
+    qv_sample sum; /* where no other store reaches it */
     qv_triple_locate(&triple[0], volume->size[0], (qv_offset)volume->stride[0], ray, 0);
     qv_triple_locate(&triple[1], volume->size[1], (qv_offset)volume->stride[1], ray, 1);
     qv_triple_locate(&triple[2], volume->size[2], (qv_offset)volume->stride[2], ray, 2);
     qv_rows_locate(&rows, triple, volume);
-    if (!qv_rows_begin(sample, &rows, volume, storage, factor))
+    if (!qv_rows_begin(&sum, &rows, volume, storage, factor))
         return 0;
-    sample->opacity = fx_share_of(0);
-    for (unsigned c = 0; c < 3; c++)
-        sample->light[c] = fx_sum_of(0);
-    qv_add_rows(sample, &rows, triple, volume, storage, factor);
+    sum.opacity = fx_share_of(0);
+    sum.light[0] = sum.light[1] = sum.light[2] = fx_sum_of(0);
+    qv_add_rows(&sum, &rows, triple, volume, storage, factor);
+    *sample = sum;
     return 1;
 }
 
