@@ -14,6 +14,8 @@ DEVICES := $(sort $(patsubst toolchain/%.mk,%,$(wildcard toolchain/*.mk)))
 OUT := $(BUILD)/$(TARGET)
 PREFIX ?= /usr/local
 LIBRARY := $(OUT)/libqvol.a
+DIST := $(BUILD)/dist
+AMALGAMATION := $(DIST)/amalgamation/qvol.c
 QVOL := $(BUILD)/host/qvol
 HOST_CC := $(CC)
 
@@ -37,8 +39,15 @@ endif
 # ---- The library: no package needed -----------------------------------------
 
 LIBRARY_SOURCES := $(sort $(wildcard core/*.c fixedpoint/*.c))
-LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o)
-LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) -Icore -Ifixedpoint
+# Marches of the target's own, see core/march.h; make MARCH= TARGET=... does with those in C.
+MARCH ?= $(TARGET_MARCH)
+ifneq ($(MARCH),)
+MARCH_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
+MARCH_OBJECTS := $(TARGET_MARCH_SOURCES:%.S=$(OUT)/%.o)
+endif
+LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o) $(MARCH_OBJECTS)
+LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) $(MARCH_CFLAGS) \
+	-Icore -Ifixedpoint
 
 .PHONY: all lib
 ifeq ($(TARGET),host)
@@ -72,6 +81,11 @@ $(OUT)/fixedpoint/%.o: fixedpoint/%.c $(OPTIONS)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(LIBRARY_CFLAGS) -c $< -o $@
 
+$(OUT)/%.o: %.S $(OPTIONS)
+	@mkdir -p $(@D)
+	@echo "  AS  $<"
+	@$(TARGET_CC) $(TARGET_CFLAGS) -c $< -o $@
+
 -include $(LIBRARY_OBJECTS:.o=.d)
 
 # ---- What runs on the library -------------------------------------------------
@@ -98,13 +112,22 @@ bench: $(QVOL) ## instructions per sample on the devices, samples per second on 
 
 # ---- The commands -------------------------------------------------------------
 
-.PHONY: setup demo gallery papers test test-exhaustive
+.PHONY: setup demo gallery picture papers test test-exhaustive test-devices
 setup: ## install what demo, papers and test need (Debian, as root)
 	@toolchain/setup
 
 demo: setup ## pictures of a real MRI, and of a microcontroller drawing it: build/demo/
 	@$(MAKE) -s --no-print-directory all
 	@toolchain/demo
+
+# On rv32imc's colour panel; PICTURE_TARGET=cortex-m3 has an OLED.
+PICTURE_TARGET ?= rv32imc
+
+picture: ## one picture, drawn by an emulated board: build/picture.png; needs its compiler and QEMU
+	@$(MAKE) -s --no-print-directory TARGET=$(PICTURE_TARGET) $(BUILD)/$(PICTURE_TARGET)/picture.elf
+	@BUILD=$(BUILD) toolchain/screenshot $(PICTURE_TARGET) $(BUILD)/$(PICTURE_TARGET)/picture.elf \
+		$(BUILD)/picture.png
+	@echo "  PNG $(BUILD)/picture.png"
 
 gallery: setup ## a head turning on the panels of emulated boards, beside the host's: build/gallery/
 	@toolchain/gallery $(BUILD)/gallery cortex-m3 rv32imc
@@ -115,6 +138,9 @@ papers: setup ## figures and numbers of the papers, recomputed: build/papers/
 
 test: setup ## everything that is tested; ends with "N passed, N failed"
 	@$(MAKE) --no-print-directory test-all
+
+test-devices: setup ## the golden scenes on every target: a matrix
+	@tests/run tests/device/golden.sh
 
 test-exhaustive: ## every input of every fixed-point function: an hour or so
 	@$(MAKE) --no-print-directory exhaustive
@@ -127,12 +153,26 @@ install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL) $(MPI_COMMAND)) ## hea
 	install -m 644 core/qvol.h "$(DESTDIR)$(PREFIX)/include/qvol.h"
 	install -m 644 $(LIBRARY) "$(DESTDIR)$(PREFIX)/lib/libqvol.a"
 	version=$$(sed -n 's/^#define QV_VERSION  *"\(.*\)"/\1/p' core/qvol.h) && \
-	sed -e "s|@PREFIX@|$(PREFIX)|" -e "s|@VERSION@|$$version|" toolchain/qvol.pc.in \
+	sed -e "s|@PREFIX@|$(PREFIX)|" -e "s|@LIBDIR@|lib|" -e "s|@VERSION@|$$version|" \
+		port/pkg-config/qvol.pc.in \
 		> "$(DESTDIR)$(PREFIX)/lib/pkgconfig/qvol.pc"
 ifeq ($(TARGET),host)
 	install -d "$(DESTDIR)$(PREFIX)/bin"
 	install -m 755 $(QVOL) $(MPI_COMMAND) "$(DESTDIR)$(PREFIX)/bin"
 endif
+
+# ---- Packages: port/README.md says how to take them home ------------------------------
+
+.PHONY: dist amalgamation
+dist: amalgamation ## a package for each ecosystem below build/dist/
+	@toolchain/dist $(DIST) $(LIBRARY_SOURCES)
+
+amalgamation: $(AMALGAMATION) ## the library as one header and one source: build/dist/amalgamation/
+
+$(AMALGAMATION): toolchain/amalgamate $(LIBRARY_SOURCES) $(wildcard core/*.h fixedpoint/*.h)
+	@echo "  GEN $@"
+	@toolchain/amalgamate $(@D) $(LIBRARY_SOURCES)
+	@cp LICENSE CHANGELOG.md $(@D)
 
 # ---- Care -----------------------------------------------------------------------
 
@@ -145,12 +185,16 @@ format: ## lay out every C file by .clang-format
 lint: ## layout, static analysis, shell scripts
 	clang-format --dry-run --Werror $(C_FILES)
 	cppcheck --std=c99 --quiet --error-exitcode=1 --enable=warning,portability,performance \
-		--inline-suppr --suppress=missingIncludeSystem -UQV_MEMORY_HEADER -UFX_TABLE_HEADER \
+		--inline-suppr --suppress=missingIncludeSystem -UQV_MEMORY_HEADER -UFX_TABLE_HEADER -UQV_MARCH_HEADER \
 		-Icore -Ifixedpoint core fixedpoint
-	shellcheck -S warning toolchain/setup toolchain/demo tests/run $$(find tests port -name '*.sh') .ci/run
+	shellcheck -S warning toolchain/setup toolchain/demo toolchain/dist tests/run $$(find tests port -name '*.sh') .ci/run
 
 readme: ## write the figures of README.md anew
 	tests/bench/readme.sh
+
+# What scripts ask: make -s TARGET=... print-TARGET_CC
+print-%:
+	@echo "$($*)"
 
 clean: ## remove everything built
 	rm -rf $(BUILD)

@@ -27,7 +27,8 @@ uint16_t qv_attenuation_record(const qv_attenuation *attenuation);
 static inline qv_address qv_attenuation_of(const qv_attenuation *attenuation, uint16_t record,
                                            const uint16_t position[3])
 {
-    uint64_t index = qv_attenuation_order(attenuation)->index(attenuation->size, position);
+    const qv_order *order = qv_attenuation_order(attenuation);
+    uint64_t index = QV_FIELD(order, index)(attenuation->size, position);
     return qv_at(attenuation->records, (qv_offset)index * (qv_offset)record);
 }
 

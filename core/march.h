@@ -105,17 +105,40 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
 }
 
 /*
+ * A target with marches of its own, in vectors or in assembly, names a header in
+ * QV_MARCH_HEADER that defines qv_march_twin: it does the same as qv_march, or qv_march_back if `back` is set, to the
+ * last bit, and returns 1; or it does nothing and returns 0, for scenes that it leaves alone.
+ */
+#ifdef QV_MARCH_HEADER
+#include QV_MARCH_HEADER
+#else
+FX_INLINE int qv_march_twin(qv_light *light, qv_ray *ray, const qv_context *context,
+                            unsigned storage, qv_taking *mode, int back)
+{
+    (void)light;
+    (void)ray;
+    (void)context;
+    (void)storage;
+    (void)mode;
+    (void)back;
+    return 0;
+}
+#endif
+
+/*
  * Defines the sampling mode qv_MODE_SUFFIX for a storage, in both orders. A macro
  * because the descriptors are public names; the code is qv_march.
  */
 #define QV_DEFINE_SAMPLING(mode, suffix, prepare, sample, read_out, storage)                       \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
-        qv_march(light, ray, context, storage, sample);                                            \
+        if (!qv_march_twin(light, ray, context, storage, sample, 0))                               \
+            qv_march(light, ray, context, storage, sample);                                        \
     }                                                                                              \
     static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
     {                                                                                              \
-        qv_march_back(light, ray, context, storage, sample);                                       \
+        if (!qv_march_twin(light, ray, context, storage, sample, 1))                               \
+            qv_march_back(light, ray, context, storage, sample);                                   \
     }                                                                                              \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage,  \
                                                       0};                                          \

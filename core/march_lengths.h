@@ -18,20 +18,20 @@ FX_INLINE void qv_advance_run(qv_run *run, qv_ray *ray)
 }
 
 /* What a ray looks at: the volume of a scene, or two levels of a span. */
-typedef struct qv_sight {
+typedef struct qv_subject {
     const qv_volume *volume;
     const struct qv_levels *levels;
     struct qv_span *span;
-} qv_sight;
+} qv_subject;
 
 /* Looks at the point where a ray stands; returns 0 where there is nothing to see. */
-typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_sight *sight, unsigned storage,
-                    const qv_family *family);
+typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
+                    unsigned storage, const qv_family *family);
 
-FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
+FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
                                 unsigned storage, const qv_family *family)
 {
-    return family->mode(sample, ray, sight->volume, storage);
+    return family->mode(sample, ray, subject->volume, storage);
 }
 
 /*
@@ -40,7 +40,7 @@ FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_s
  */
 FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, qv_ray *ray,
                            const qv_context *context, unsigned storage, const qv_family *family,
-                           qv_look *look, const qv_sight *sight)
+                           qv_look *look, const qv_subject *subject)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_medium medium;
@@ -48,7 +48,7 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
     ray->samples -= run->samples;
     for (; run->samples != 0; qv_advance_run(run, ray)) {
         qv_sample sample;
-        if (!look(&sample, ray, sight, storage, family)) {
+        if (!look(&sample, ray, subject, storage, family)) {
             light->skipped++;
             continue;
         }
@@ -66,13 +66,13 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
 FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *context,
                                 unsigned storage, const qv_family *family, qv_look *look)
 {
-    const qv_sight sight = {&context->scene.volume, 0, 0};
+    const qv_subject subject = {&context->scene.volume, 0, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
     qv_path_clip(ray, context);
     qv_run_begin(&run, ray);
     while (qv_next_run(&run, ray, ray->leave, 0) &&
-           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &sight))
+           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &subject))
         ;
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);
@@ -82,7 +82,7 @@ FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *
 FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_context *context,
                                      unsigned storage, const qv_family *family, qv_look *look)
 {
-    const qv_sight sight = {&context->scene.volume, 0, 0};
+    const qv_subject subject = {&context->scene.volume, 0, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
     qv_path_clip(ray, context);
@@ -94,7 +94,7 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
         for (; run.samples != 0; qv_advance_run(&run, ray)) {
             qv_sample sample;
             ray->samples--;
-            if (look(&sample, ray, &sight, storage, family))
+            if (look(&sample, ray, &subject, storage, family))
                 family->over(light, &gathered, &sample, &medium, storage);
             else
                 light->skipped++;
@@ -111,11 +111,12 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
  */
 #define QV_DEFINE_BY_LENGTH(mode, suffix, prepare, family, read_out, storage)                      \
     static FX_NOINLINE int look_##suffix(qv_sample *sample, const qv_ray *ray,                     \
-                                         const qv_sight *sight, unsigned of, const qv_family *by)  \
+                                         const qv_subject *subject, unsigned of,                   \
+                                         const qv_family *by)                                      \
     {                                                                                              \
         (void)of;                                                                                  \
         (void)by;                                                                                  \
-        return qv_look_at_volume(sample, ray, sight, storage, family);                             \
+        return qv_look_at_volume(sample, ray, subject, storage, family);                           \
     }                                                                                              \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \

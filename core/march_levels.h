@@ -51,10 +51,10 @@ FX_INLINE void qv_stand_on_level(qv_ray *there, qv_volume *volume, const qv_ray 
 
 /* One of the two levels, as entries. Modes read nothing else of a ray and of a volume without
    a palette; written out, no more than that is kept of both. */
-FX_INLINE int qv_look_at_level(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
+FX_INLINE int qv_look_at_level(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
                                unsigned which, unsigned storage, const qv_family *family)
 {
-    const qv_level *level = &sight->levels->level[which];
+    const qv_level *level = &subject->levels->level[which];
     qv_volume volume;
     qv_ray there;
     volume.voxels = level->voxels;
@@ -66,23 +66,23 @@ FX_INLINE int qv_look_at_level(qv_sample *sample, const qv_ray *ray, const qv_si
 
 /* How two levels are looked at: each apart from the loop, since two are long, and so that the
    stack holds one of them at a time. */
-typedef int qv_look_apart(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
+typedef int qv_look_apart(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
                           unsigned which);
 
 /* The finer level, and the coarser where it has a share. */
-FX_INLINE int qv_look_at_levels(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,
+FX_INLINE int qv_look_at_levels(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
                                 unsigned storage, qv_look_apart *indices, qv_look_apart *entries)
 {
-    uint32_t share = sight->span->blend;
-    int of_indices = qv_storage_indexed(storage) && sight->span->level == 0;
+    uint32_t share = subject->span->blend;
+    int of_indices = qv_storage_indexed(storage) && subject->span->level == 0;
     qv_sample coarser;
     qv_clear_sample(sample);
-    int seen = of_indices ? indices(sample, ray, sight, 0) : entries(sample, ray, sight, 0);
-    sight->span->blend = share + sight->span->rise;
+    int seen = of_indices ? indices(sample, ray, subject, 0) : entries(sample, ray, subject, 0);
+    subject->span->blend = share + subject->span->rise;
     if (share == 0)
         return seen;
     qv_clear_sample(&coarser);
-    seen |= entries(&coarser, ray, sight, 1);
+    seen |= entries(&coarser, ray, subject, 1);
     if (!seen)
         return 0;
     qv_blend_samples(sample, &coarser, share);
@@ -95,12 +95,12 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
     qv_levels levels;
     qv_span span;
     qv_run run;
-    const qv_sight sight = {&context->scene.volume, &levels, &span};
+    const qv_subject subject = {&context->scene.volume, &levels, &span};
     levels.finer = QV_NO_LEVEL;
     qv_path_clip(ray, context);
     qv_run_begin(&run, ray);
     while (qv_next_run_of_levels(&span, &levels, &run, ray, &context->scene) &&
-           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &sight))
+           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &subject))
         ;
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);
@@ -116,21 +116,21 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
         return status;                                                                             \
     }                                                                                              \
     static FX_NOINLINE int indices_##suffix(qv_sample *sample, const qv_ray *ray,                  \
-                                            const qv_sight *sight, unsigned which)                 \
+                                            const qv_subject *subject, unsigned which)             \
     {                                                                                              \
         (void)which;                                                                               \
-        return qv_look_at_volume(sample, ray, sight, storage, family);                             \
+        return qv_look_at_volume(sample, ray, subject, storage, family);                           \
     }                                                                                              \
     static FX_NOINLINE int entries_##suffix(qv_sample *sample, const qv_ray *ray,                  \
-                                            const qv_sight *sight, unsigned which)                 \
+                                            const qv_subject *subject, unsigned which)             \
     {                                                                                              \
-        return qv_look_at_level(sample, ray, sight, which, storage, family);                       \
+        return qv_look_at_level(sample, ray, subject, which, storage, family);                     \
     }                                                                                              \
-    FX_INLINE int look_##suffix(qv_sample *sample, const qv_ray *ray, const qv_sight *sight,       \
+    FX_INLINE int look_##suffix(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,   \
                                 unsigned of, const qv_family *by)                                  \
     {                                                                                              \
         (void)by;                                                                                  \
-        return qv_look_at_levels(sample, ray, sight, of, indices_##suffix, entries_##suffix);      \
+        return qv_look_at_levels(sample, ray, subject, of, indices_##suffix, entries_##suffix);    \
     }                                                                                              \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \

@@ -9,15 +9,6 @@
 #include "march.h"
 #include "pages.h"
 
-/* Moves to the box of the cell in which a ray stands. */
-FX_INLINE void qv_paged_miss(qv_pages *pages, const qv_ray *ray)
-{
-    uint32_t index[3];
-    for (unsigned axis = 0; axis < 3; axis++)
-        index[axis] = (uint32_t)((uint64_t)ray->place[axis] >> 32);
-    qv_pages_seek(pages, index);
-}
-
 /* Where the cell lies in the box; returns 0 where it lies outside. */
 FX_INLINE int qv_paged_locate(uint32_t beyond[3], const qv_pages *pages, const qv_ray *ray)
 {
@@ -41,7 +32,7 @@ FX_INLINE void qv_paged_find(qv_paged_cell *cell, const qv_ray *ray, const qv_vo
     qv_pages *pages = volume->pages;
     uint32_t beyond[3];
     while (!qv_paged_locate(beyond, pages, ray))
-        qv_paged_miss(pages, ray);
+        qv_pages_seek(pages, ray->place);
     uint32_t offset = beyond[0] * qv_voxel_bytes(storage) + beyond[1] * pages->stride[1] +
                       beyond[2] * pages->stride[2]; /* below the bytes of a page */
     for (unsigned c = 0; c < 8; c++)

@@ -3,7 +3,7 @@
 static const qv_family family = {qv_paged_bspline_converted, qv_extinction_under,
                                  qv_extinction_over, 1, 1};
 
-static qv_status prepare(qv_context *context, const qv_scene *scene)
+static qv_status prepare_bspline_extinction_converted(qv_context *context, const qv_scene *scene)
 {
     return qv_prepare_paged(context, scene, qv_medium_converted, QV_SPLINE_TAPS);
 }

@@ -3,7 +3,7 @@
 static const qv_family family = {qv_paged_bspline_weighted, qv_corrected_under, qv_corrected_over,
                                  0, 1};
 
-static qv_status prepare(qv_context *context, const qv_scene *scene)
+static qv_status prepare_bspline_weighted_corrected(qv_context *context, const qv_scene *scene)
 {
     return qv_prepare_paged(context, scene, qv_medium_corrected, QV_SPLINE_TAPS);
 }

@@ -2,7 +2,7 @@
 
 static const qv_family family = {qv_paged_converted, qv_extinction_under, qv_extinction_over, 1, 0};
 
-static qv_status prepare(qv_context *context, const qv_scene *scene)
+static qv_status prepare_extinction_converted(qv_context *context, const qv_scene *scene)
 {
     return qv_prepare_paged(context, scene, qv_medium_converted, QV_LINEAR_TAPS);
 }

@@ -29,9 +29,9 @@ static inline qv_status qv_prepare_paged(qv_context *context, const qv_scene *sc
     QV_DEFINE_SAMPLING(mode, suffix##_paged, qv_prepare_steps_paged, qv_take_paged_##mode,         \
                        read_out, storage)
 
-/* The file that uses it defines prepare(). */
+/* The file that uses it defines the function that prepares a context. */
 #define QV_DEFINE_LENGTHS_PAGED(mode, suffix, kind, family, read_out, storage)                     \
-    QV_DEFINE_BY_LENGTH(mode, suffix##_paged, prepare, family, read_out, storage)
+    QV_DEFINE_BY_LENGTH(mode, suffix##_paged, prepare_##mode##_##kind, family, read_out, storage)
 
 /* Of the storages that a list names, those whose voxels may lie in pages. */
 #define QV_EACH_PAGED_STEPS(mode)                                                                  \

@@ -163,12 +163,12 @@ qv_status qv_pages_init(qv_pages *pages, const qv_volume *volume)
 
 /* ---- The cache ---------------------------------------------------------------- */
 
-static void describe(qv_brick *brick, const qv_pages *pages, const uint16_t first[3],
-                     uint32_t number)
+/* What is to be read: the brick whose first voxel stands in pages->wanted already. */
+static void describe(qv_pages *pages, uint32_t number)
 {
+    qv_brick *brick = &pages->wanted;
     for (unsigned axis = 0; axis < 3; axis++) {
-        uint32_t end = first[axis] + width_of(pages->shift, pages->size, axis);
-        brick->block.first[axis] = first[axis];
+        uint32_t end = brick->block.first[axis] + width_of(pages->shift, pages->size, axis);
         brick->block.end[axis] = (uint16_t)(end < pages->size[axis] ? end : pages->size[axis]);
     }
     brick->number = number;
@@ -177,19 +177,12 @@ static void describe(qv_brick *brick, const qv_pages *pages, const uint16_t firs
     brick->bytes = pages->page_bytes;
 }
 
-static uint8_t *page_at(const qv_pages *pages, uint16_t page)
+/* A page that cannot be read is all 0. */
+static void read_page(uint8_t *page, qv_pages *pages, uint32_t number)
 {
-    return (uint8_t *)pages->memory + (size_t)page * (size_t)pages->page_bytes;
-}
-
-/* A page that cannot be read is all 0. The box of cells may have lain in what it held before. */
-static void read_page(uint8_t *page, qv_pages *pages, const uint16_t first[3], uint32_t number)
-{
-    qv_brick brick;
-    describe(&brick, pages, first, number);
-    pages->cells[0] = 0;
+    describe(pages, number);
     pages->reads++;
-    int status = pages->read(pages->user, page, &brick);
+    int status = pages->read(pages->user, page, &pages->wanted);
     if (status >= 0)
         return;
     memset(page, 0, (size_t)pages->page_bytes);
@@ -203,7 +196,7 @@ static void read_page(uint8_t *page, qv_pages *pages, const uint16_t first[3], u
  * The page of a brick. A set is kept in the order of use, so that the brick wanted most often
  * stands first, and the one not wanted for longest makes room.
  */
-static uint8_t *find_page(qv_pages *pages, const uint16_t first[3], uint32_t number)
+static uint8_t *find_page(qv_pages *pages, uint32_t number)
 {
     uint32_t set = ((number * SPREAD >> 16) * pages->sets) >> 16; /* sets <= 2^13 */
     qv_page *ways = pages->table + (size_t)set * pages->ways;
@@ -217,76 +210,80 @@ static uint8_t *find_page(qv_pages *pages, const uint16_t first[3], uint32_t num
         ways[way] = ways[way - 1u];
     found.brick = number;
     ways[0] = found;
-    uint8_t *page = page_at(pages, found.page);
+    uint8_t *page = (uint8_t *)pages->memory + (size_t)found.page * (size_t)pages->page_bytes;
     if (!present)
-        read_page(page, pages, first, number);
+        read_page(page, pages, number);
     return page;
+}
+
+static const uint8_t *find_voxel(qv_pages *pages, const uint16_t position[3])
+{
+    const uint8_t *shift = pages->shift;
+    uint32_t number = 0, offset = 0; /* offset < page_bytes */
+    for (unsigned axis = 3; axis-- > 0;) {
+        uint32_t brick = (uint32_t)position[axis] >> shift[axis], first = brick << shift[axis];
+        number = number * bricks_of(shift, pages->size, axis) + brick;
+        offset += (position[axis] - first) * pages->stride[axis];
+        pages->wanted.block.first[axis] = (uint16_t)first;
+    }
+    return find_page(pages, number) + (size_t)offset;
 }
 
 const uint8_t *qv_pages_voxel(qv_pages *pages, const uint16_t position[3])
 {
-    const uint8_t *shift = pages->shift;
-    uint16_t first[3];
-    uint32_t number = 0;
-    uint32_t offset = 0; /* below page_bytes */
-    for (unsigned axis = 3; axis-- > 0;) {
-        uint32_t brick = (uint32_t)position[axis] >> shift[axis];
-        first[axis] = (uint16_t)(brick << shift[axis]);
-        number = number * bricks_of(shift, pages->size, axis) + brick;
-        offset += ((uint32_t)position[axis] - first[axis]) * pages->stride[axis];
-    }
-    return find_page(pages, first, number) + (size_t)offset;
+    pages->cells[0] = 0; /* the box of cells may lose a page */
+    return find_voxel(pages, position);
 }
 
 /* ---- The box of cells --------------------------------------------------------- */
 
-/* The box on an axis. */
-typedef struct span {
-    uint32_t first, cells; /* indices of its cells */
-    uint16_t voxel[2];     /* the corners of the first */
-    int across;            /* whether these lie in two bricks */
-} span;
+/* The lowest voxel of the box on an axis, and how many bytes on its upper neighbour lies. */
+typedef struct lowest {
+    uint32_t rise[3];
+    uint16_t voxel[3];
+} lowest;
 
-/* An index below 0 is clamped; unsigned, it lies above every size. */
-static void find_span(span *s, const qv_pages *pages, unsigned axis, uint32_t index)
+/*
+ * Finds the box on an axis. Returns whether its cells, of which there is one, lie in two bricks.
+ * An index below 0 is clamped; unsigned, it lies above every size.
+ */
+static unsigned find_span(lowest *low, qv_pages *pages, unsigned axis, uint32_t index)
 {
-    uint32_t last = pages->size[axis] - 1u, brick = index >> pages->shift[axis];
-    uint32_t first = brick << pages->shift[axis];
-    uint32_t end = ((brick + 1u) << pages->shift[axis]) - 1u; /* the last voxel of the brick */
-    int clamped = index >= last;
-    if (end > last)
-        end = last;
-    s->across = !clamped && index == end;
-    s->first = clamped || s->across ? index : first;
-    s->cells = clamped || s->across ? 1u : end - first;
-    s->voxel[0] = (uint16_t)(index > QV_AXIS_MAX ? 0 : clamped ? last : s->first);
-    s->voxel[1] = (uint16_t)(s->voxel[0] + (clamped ? 0u : 1u));
-}
-
-/* A corner of the first cell, by the one next to it on an axis on which they share a brick;
-   where there is none, by its own. */
-static const uint8_t *find_corner(qv_pages *pages, const span s[3], unsigned corner)
-{
-    uint16_t position[3];
-    for (unsigned axis = 0; axis < 3; axis++) {
-        unsigned upper = corner >> axis & 1u;
-        if (upper && !s[axis].across)
-            return pages->corner[corner ^ 1u << axis] +
-                   (s[axis].voxel[1] - s[axis].voxel[0]) * pages->stride[axis];
-        position[axis] = s[axis].voxel[upper];
+    unsigned shift = pages->shift[axis];
+    uint32_t last = pages->size[axis] - 1u, first = index >> shift << shift;
+    uint32_t end = first + ((uint32_t)1 << shift) - 1u; /* the last voxel of the brick */
+    pages->first[axis] = index;
+    pages->cells[axis] = 1;
+    low->rise[axis] = 0;
+    low->voxel[axis] = (uint16_t)index;
+    if (index >= last) {
+        low->voxel[axis] = (uint16_t)(index > QV_AXIS_MAX ? 0 : last);
+        return 0;
     }
-    return qv_pages_voxel(pages, position);
+    if (index == end)
+        return 1;
+    pages->first[axis] = first;
+    pages->cells[axis] = (end < last ? end : last) - first;
+    low->rise[axis] = pages->stride[axis];
+    low->voxel[axis] = (uint16_t)first;
+    return 0;
 }
 
-void qv_pages_seek(qv_pages *pages, const uint32_t index[3])
+void qv_pages_seek(qv_pages *pages, const qv_coord place[3])
 {
-    span s[3];
+    lowest low;
+    unsigned across = 0; /* bit 0 for x: the corners lie in two bricks */
     for (unsigned axis = 0; axis < 3; axis++)
-        find_span(&s[axis], pages, axis, index[axis]);
-    for (unsigned corner = 0; corner < 8; corner++)
-        pages->corner[corner] = find_corner(pages, s, corner);
-    for (unsigned axis = 0; axis < 3; axis++) {
-        pages->first[axis] = s[axis].first;
-        pages->cells[axis] = s[axis].cells;
+        across |= find_span(&low, pages, axis, (uint32_t)((uint64_t)place[axis] >> 32)) << axis;
+    for (unsigned corner = 0; corner < 8; corner++) {
+        unsigned inside = corner & ~across, bit = inside & (0u - inside);
+        if (inside != 0) { /* bits 1, 2, 4 are axes 0, 1, 2 */
+            pages->corner[corner] = pages->corner[corner ^ bit] + (size_t)low.rise[bit >> 1];
+            continue;
+        }
+        const uint16_t position[3] = {(uint16_t)(low.voxel[0] + (corner & 1u)),
+                                      (uint16_t)(low.voxel[1] + (corner >> 1 & 1u)),
+                                      (uint16_t)(low.voxel[2] + (corner >> 2))};
+        pages->corner[corner] = find_voxel(pages, position);
     }
 }

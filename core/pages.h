@@ -27,8 +27,8 @@ qv_status qv_pages_check(const qv_volume *volume, unsigned taps);
    asked for last. */
 const uint8_t *qv_pages_voxel(qv_pages *pages, const uint16_t position[3]);
 
-/* Moves the box of cells to where the cell of this index lies. */
-void qv_pages_seek(qv_pages *pages, const uint32_t index[3]);
+/* Moves the box of cells to the cell of a ray's place. */
+void qv_pages_seek(qv_pages *pages, const qv_coord place[3]);
 
 /* Whether all voxels could be read. QV_OK, QV_ERROR_READ. */
 static inline qv_status qv_pages_status(const qv_volume *volume)

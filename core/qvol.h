@@ -722,6 +722,7 @@ typedef struct qv_pages {
     uint32_t stride[3], page_bytes;
     uint32_t first[3], cells[3];
     const uint8_t *corner[8];
+    qv_brick wanted;
 } qv_pages;
 
 /* Bytes of a page; 0 where a shift or the size is out of range. */

@@ -4,6 +4,7 @@
 #ifndef QV_RAY_H
 #define QV_RAY_H
 
+#include "fx_inline.h"
 #include "fx_wide.h"
 #include "qvol.h"
 
@@ -69,8 +70,8 @@ static inline void qv_ray_right(qv_ray *ray, qv_coord place[3], const qv_camera 
 
 /* The point of pixel (x, y): base + x*across + y*down. |x|, |y| < 2^15 and
    components within the ranges of qv_camera keep it below 2^61. */
-static inline qv_coord qv_pixel_point(const qv_coord base[3], const qv_camera *camera,
-                                      unsigned axis, int32_t x, int32_t y)
+FX_INLINE qv_coord qv_pixel_point(const qv_coord base[3], const qv_camera *camera, unsigned axis,
+                                  int32_t x, int32_t y)
 {
     return base[axis] + fx_multiply(camera->across[axis], x) + fx_multiply(camera->down[axis], y);
 }

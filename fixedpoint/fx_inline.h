@@ -21,7 +21,7 @@
 
 /* In front of a loop of at most 8 rounds whose arrays are to become registers. Where size counts,
    it stays a loop; other compilers decide for themselves. */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
 #define FX_UNROLL _Pragma("GCC unroll 8")
 #else
 #define FX_UNROLL

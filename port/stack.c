@@ -7,9 +7,12 @@
 /* Unlikely as data, an address or an instruction. */
 #define PAINT 0x5AC35AC3u
 
+/* Words left alone: registers that stack_paint saves after it has read the pointer. */
+enum { OWN_WORDS = 16 };
+
 void stack_paint(void)
 {
-    uint32_t *end = machine_stack_pointer();
+    uint32_t *end = machine_stack_pointer() - OWN_WORDS;
     for (volatile uint32_t *word = link_stack_limit; word < end; word++)
         *word = PAINT;
 }

@@ -1,6 +1,6 @@
 # Tests on the host. Each C file in tests/unit and tests/accuracy is a program,
 # linked with the library and the references; each script in tests/command,
-# tests/static and tests/device is run from the top folder. All print TAP; tests/run
+# tests/static, tests/device and tests/packages is run from the top folder. All print TAP; tests/run
 # adds up what they print.
 #
 # make check needs a C compiler and make; the rest needs what toolchain/setup installs.
@@ -26,11 +26,24 @@ UNIT_TESTS := $(patsubst tests/%.c,$(TEST_OUT)/%,$(wildcard tests/unit/*.c))
 ACCURACY_TESTS := $(patsubst tests/%.c,$(TEST_OUT)/%,$(wildcard tests/accuracy/*.c))
 EXHAUSTIVE_TESTS := $(patsubst tests/%.c,$(TEST_OUT)/%,$(wildcard tests/exhaustive/*.c))
 GOLDEN_TEST := $(TEST_OUT)/golden/golden
-SCRIPTS := $(sort $(wildcard tests/command/*.sh tests/static/*.sh tests/device/*.sh))
+SCRIPTS := $(sort $(wildcard $(patsubst %,tests/%/*.sh,command static device packages)))
 
 .PHONY: check test-programs test-all exhaustive golden-update
 check: $(UNIT_TESTS) $(GOLDEN_TEST) ## unit tests and golden scenes; needs no package
 	@tests/run $(UNIT_TESTS) $(GOLDEN_TEST)
+
+# The same programs, linked with the library of one source. Its warnings are errors too.
+AMALGAMATED := $(TEST_OUT)/amalgamated
+AMALGAMATED_TESTS := $(UNIT_TESTS:$(TEST_OUT)/%=$(AMALGAMATED)/%) $(AMALGAMATED)/golden/golden
+
+.PHONY: check-amalgamation
+check-amalgamation: $(AMALGAMATED_TESTS) ## the tests of make check with qvol.c of make amalgamation
+	@tests/run $^
+
+$(AMALGAMATED)/qvol.o: $(AMALGAMATION) $(OPTIONS)
+	@mkdir -p $(@D)
+	@echo "  CC  $<"
+	@$(CC) $(LIBRARY_CFLAGS) -c $< -o $@
 
 test-programs: $(UNIT_TESTS) $(ACCURACY_TESTS) $(GOLDEN_TEST)
 
@@ -107,7 +120,14 @@ $(UNIT_TESTS) $(ACCURACY_TESTS) $(EXHAUSTIVE_TESTS): $(TEST_OUT)/%: $(TEST_OUT)/
 	@echo "  LD  $@"
 	@$(CC) $(CFLAGS) $^ $(TEST_LIBS) -o $@
 
-$(GOLDEN_TEST): $(GOLDEN_SOURCES:%.c=$(TEST_OUT)/%.o) $(REFERENCE_OBJECTS) $(LIBRARY)
+$(filter-out %/golden,$(AMALGAMATED_TESTS)): $(AMALGAMATED)/%: $(TEST_OUT)/tests/%.o $(REFERENCE_OBJECTS) $(AMALGAMATED)/qvol.o
+	@mkdir -p $(@D)
+	@echo "  LD  $@"
+	@$(CC) $(CFLAGS) $^ $(TEST_LIBS) -o $@
+
+$(GOLDEN_TEST): $(LIBRARY)
+$(AMALGAMATED)/golden/golden: $(AMALGAMATED)/qvol.o
+$(GOLDEN_TEST) $(AMALGAMATED)/golden/golden: $(GOLDEN_SOURCES:%.c=$(TEST_OUT)/%.o) $(REFERENCE_OBJECTS)
 	@mkdir -p $(@D)
 	@echo "  LD  $@"
 	@$(CC) $(CFLAGS) $^ $(TEST_LIBS) -o $@

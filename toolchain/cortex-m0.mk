@@ -3,4 +3,5 @@
 TARGET_PACKAGES := gcc-arm-none-eabi qemu-system-arm
 TARGET_BOARD := microbit
 TARGET_CPU := -mcpu=cortex-m0 -mthumb
+TARGET_MARCH :=
 include toolchain/shared/cortex-m.mk

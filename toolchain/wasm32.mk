@@ -2,6 +2,7 @@
 TARGET_PACKAGES := clang lld llvm nodejs
 TARGET_CC := clang
 TARGET_AR := llvm-ar
+TARGET_LEVELS := -O2
 TARGET_CPU := --target=wasm32
 
 OPTIMISE ?= -O2
@@ -14,5 +15,4 @@ TARGET_PORT := port/wasm/console.c port/wasm/measure.c port/bytes.c port/console
 
 TARGET_LDFLAGS := $(TARGET_CPU) -nostdlib -Wl,--no-entry,--export=main,--gc-sections
 
-TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices golden_splats \
-	functions blends
+TARGET_FIRMWARE := functions blends

@@ -1,10 +1,11 @@
 /*
  * volume_flash.h - voxels, palettes and scalars in program memory, anywhere in its 128 KB:
  * pointers reach the lower half alone, so addresses are numbers (QV_MEMORY_HEADER).
- * Descriptors lie in the lower half, as tables do, so that they have pointers.
  */
 #ifndef VOLUME_FLASH_H
 #define VOLUME_FLASH_H
+
+#include "descriptor_flash.h"
 
 #include <avr/pgmspace.h>
 
@@ -22,19 +23,26 @@ static inline qv_address qv_at(qv_address base, qv_offset offset)
     return base + (qv_address)offset;
 }
 
+/* Devices of up to 64 KB have no instruction that reads far, and need none. */
+#ifdef __AVR_HAVE_ELPM__
+#define FLASH_READ(width, address) pgm_read_##width##_far(address)
+#else
+#define FLASH_READ(width, address) pgm_read_##width((uint16_t)(address))
+#endif
+
 static inline uint8_t qv_read8(qv_address address)
 {
-    return pgm_read_byte_far(address);
+    return FLASH_READ(byte, address);
 }
 
 static inline uint16_t qv_read16(qv_address address)
 {
-    return pgm_read_word_far(address);
+    return FLASH_READ(word, address);
 }
 
 static inline uint32_t qv_read32(qv_address address)
 {
-    return pgm_read_dword_far(address);
+    return FLASH_READ(dword, address);
 }
 
 static inline int qv_aligned(qv_address address, unsigned alignment)
@@ -50,14 +58,5 @@ static inline int qv_distance(uintptr_t *distance, const void *written, qv_addre
     (void)read;
     return 0;
 }
-
-/* A definition of a descriptor; and its field, by as many bytes as it has. */
-#define QV_DESCRIPTOR const PROGMEM
-#define QV_FIELD(descriptor, field)                                                                \
-    ((__typeof__((descriptor)->field))__builtin_choose_expr(                                       \
-        sizeof((descriptor)->field) == sizeof(uint32_t), pgm_read_dword(&(descriptor)->field),     \
-        __builtin_choose_expr(sizeof((descriptor)->field) == sizeof(uint16_t),                     \
-                              pgm_read_word(&(descriptor)->field),                                 \
-                              pgm_read_byte(&(descriptor)->field))))
 
 #endif /* VOLUME_FLASH_H */

@@ -14,7 +14,7 @@ PIXELS=512 # blended in a region: those of blends_device.c
 
 # count TARGET: what a pixel takes; the cycles are those of an AVR, else nothing.
 count() {
-    out=$BUILD/bench$OPTIMISE
+    out=$BUILD/devices$OPTIMISE
     make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$out/$1/blends.elf" >&2
     EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/blends.elf" >"$work/results" \
         2>"$work/messages" || { cat "$work/results" "$work/messages" >&2; exit 1; }

@@ -13,7 +13,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 count() { # count TARGET
-    out=$BUILD/bench$OPTIMISE
+    out=$BUILD/devices$OPTIMISE
     make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$out/$1/bench.elf" >&2
     EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/bench.elf" >"$work/scenes" 2>"$work/messages" ||
         { cat "$work/scenes" "$work/messages" >&2; exit 1; }

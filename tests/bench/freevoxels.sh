@@ -25,7 +25,7 @@ divide() {
 
 # count TARGET: to $work/TARGET.
 count() {
-    out=$BUILD/bench$OPTIMISE
+    out=$BUILD/devices$OPTIMISE
     make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$out/$1/freevoxels.elf" >&2
     EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/freevoxels.elf" >"$work/results" \
         2>"$work/messages" || { cat "$work/results" "$work/messages" >&2; exit 1; }

@@ -10,23 +10,18 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 tool() { # tool TARGET NAME: a program of its compiler's package
-    case $1 in
-    cortex-m*) echo "arm-none-eabi-$2" ;;
-    avr) echo "avr-$2" ;;
-    esac
+    compiler=$(make -s TARGET="$1" print-TARGET_CC)
+    echo "${compiler%gcc}$2"
 }
 
 machine() { # machine TARGET: what the compiler is told of it
-    case $1 in
-    cortex-m*) echo "-mcpu=$1 -mthumb" ;;
-    avr) echo "-mmcu=atmega1284p" ;;
-    esac
+    make -s TARGET="$1" print-TARGET_CPU
 }
 
 # count TARGET: lines "NAME INSTRUCTIONS CYCLES" of a call, less those of an
 # empty one; what the third figure is on a Cortex-M does not matter.
 count() {
-    out=$BUILD/bench-O2
+    out=$BUILD/devices-O2
     make -s TARGET="$1" OPTIMISE=-O2 BUILD="$out" "$out/$1/functions.elf" >&2
     EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/functions.elf" >"$work/names" \
         2>"$work/messages" || { cat "$work/messages" >&2; exit 1; }

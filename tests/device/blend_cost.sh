@@ -11,7 +11,7 @@ $CC -std=c99 -O2 -Icore -Ifixedpoint -Iport tests/bench/board_host.c tests/bench
 "$work/host" >"$work/expected"
 
 runs() { # runs TARGET OPTIMISE: the results of this machine
-    top=$BUILD/bench$2
+    top=$BUILD/devices$2
     make -s TARGET="$1" OPTIMISE="$2" BUILD="$top" "$top/$1/blends.elf" &&
         toolchain/emulate "$1" "$top/$1/blends.elf" >"$work/results" &&
         diff "$work/expected" "$work/results" && [ "$(wc -l <"$work/results")" -ge 26 ]
@@ -19,7 +19,7 @@ runs() { # runs TARGET OPTIMISE: the results of this machine
 
 undivided() { # undivided PREFIX TARGET: no instruction and no helper that divides
     for name in blend_over blend_under blend_hardware dither buffer; do
-        "$1-objdump" -dr "$BUILD/bench-O2/$2/core/$name.o" >"$work/code" &&
+        "$1-objdump" -dr "$BUILD/devices-O2/$2/core/$name.o" >"$work/code" &&
             grep -q '<blend_\|<qv_' "$work/code" &&
             ! grep -E '[us]div|__aeabi_u?l?i?div|__u?div(mod)?[qhsd]' "$work/code" || return 1
     done

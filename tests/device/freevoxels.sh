@@ -34,7 +34,7 @@ subjects_on_host() {
 }
 
 subjects() { # subjects TARGET: the results of this machine
-    top=$BUILD/bench-O2
+    top=$BUILD/devices-O2
     make -s TARGET="$1" OPTIMISE=-O2 BUILD="$top" "$top/$1/freevoxels.elf" &&
         toolchain/emulate "$1" "$top/$1/freevoxels.elf" >"$work/results" &&
         grep '|' "$work/results" | diff "$work/subjects_expected" -
@@ -47,7 +47,7 @@ one_picture() {
 }
 
 runs() { # runs TARGET OPTIMISE: the results of this machine
-    top=$BUILD/ball$2
+    top=$BUILD/devices$2
     make -s TARGET="$1" OPTIMISE="$2" BUILD="$top" "$top/$1/ball.elf" &&
         EMULATOR_REPORT=$work/$1$2 toolchain/emulate "$1" "$top/$1/ball.elf" >"$work/results" &&
         diff "$work/expected" "$work/results"

@@ -37,10 +37,14 @@ enum { FAULT_EXIT_CODE = 139, USAGE_EXIT_CODE = 2 };
 
 #define CLOCK_HZ 16000000u
 
+/* Cycles of a call of the simulator. One of them is one instruction, so that instructions can be
+   counted; more take half the time. */
+#define CYCLES_A_CALL 10000
+
 typedef struct {
     FILE *report; /* NULL where none is wanted */
     unsigned region;
-    uint64_t instructions; /* since the reset */
+    uint64_t instructions; /* since the reset, where there is a report */
     uint64_t instructions_at_begin;
     avr_cycle_count_t cycles_at_begin;
     bool ended;
@@ -140,7 +144,6 @@ static avr_t *power_up(const char *machine, const char *file)
         return NULL;
     avr_init(avr);
     avr->frequency = CLOCK_HZ;
-    avr->run_cycle_limit = 1; /* one instruction a call, so that they can be counted */
     memset(avr->data + avr->ioend + 1, PAINT, (size_t)avr->ramend - avr->ioend);
     return load_file(avr, file) ? avr : NULL;
 }
@@ -191,6 +194,7 @@ int main(int count, char **arguments)
         return USAGE_EXIT_CODE;
     }
     connect(avr, &r);
+    avr->run_cycle_limit = reports ? 1 : CYCLES_A_CALL;
     int code = execute(avr, &r);
     avr_terminate(avr);
     if (r.report != NULL && fclose(r.report) != 0)

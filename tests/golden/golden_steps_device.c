@@ -2,5 +2,6 @@
 
 int main(void)
 {
-    return golden_run(&golden_steps);
+    golden_run(&golden_steps);
+    return 0;
 }

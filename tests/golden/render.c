@@ -93,8 +93,8 @@ static qv_status place_picture(picture *p, golden_memory *memory, const golden_s
     const qv_format *format = golden_find_format(golden);
     p->lines_per_row = 1 << QV_FIELD(format, line_shift);
     p->rows = (rect->bottom - rect->top + p->lines_per_row - 1) / p->lines_per_row;
-    p->row_bytes = qv_row_bytes(format, (uint16_t)(rect->right - rect->left));
-    p->stride = (ptrdiff_t)p->row_bytes + golden->padding;
+    p->row_bytes = (size_t)qv_row_bytes(format, (uint16_t)(rect->right - rect->left));
+    p->stride = (ptrdiff_t)p->row_bytes + (ptrdiff_t)golden->padding;
     p->top = memory->pixels;
     if ((size_t)(p->stride * p->rows) > sizeof memory->pixels)
         return QV_ERROR_BUFFER;

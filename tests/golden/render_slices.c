@@ -28,7 +28,7 @@ static void place(plane *p, uint8_t **left, const golden_scene *golden, size_t r
                   int32_t rows)
 {
     p->row_bytes = row_bytes;
-    p->stride = (ptrdiff_t)row_bytes + golden->padding;
+    p->stride = (ptrdiff_t)row_bytes + (ptrdiff_t)golden->padding;
     p->top = *left;
     *left += p->stride * rows;
     if (golden->bottom_up) {
@@ -57,7 +57,8 @@ static qv_status place_all(frame *f, golden_memory *memory)
     place_buffer(f->behind, &left, golden, golden->slices.blend);
     if (golden->slices.front)
         place_buffer(f->front, &left, golden, golden->slices.front);
-    place(&f->picture, &left, golden, qv_row_bytes(format, (uint16_t)(rect->right - rect->left)),
+    place(&f->picture, &left, golden,
+          (size_t)qv_row_bytes(format, (uint16_t)(rect->right - rect->left)),
           (height + lines - 1) / lines);
     golden_untouch(memory);
     return left <= memory->pixels + sizeof memory->pixels ? QV_OK : QV_ERROR_BUFFER;

@@ -187,7 +187,7 @@ static int next_voxel(void *user, qv_freevoxel *voxel)
                                          s->next * STRIDE % count);
     voxel->voxel = volume->voxels;
     for (unsigned axis = 0; axis < 3; axis++)
-        voxel->voxel += (qv_offset)volume->stride[axis] * voxel->position[axis];
+        voxel->voxel += (qv_offset)volume->stride[axis] * (qv_offset)voxel->position[axis];
     voxel->attenuation = qv_attenuation_at(attenuation, voxel->position);
     voxel->level = s->level;
     s->next += s->between;
@@ -326,9 +326,9 @@ static qv_status light(const frame *f, uint8_t *voxels, uint32_t slice_bytes)
     qv_status status = QV_OK;
     for (unsigned z = 0; z < size[2] && status == QV_OK; z += slab) {
         const qv_block block = {{0, 0, (uint16_t)z}, {size[0], size[1], (uint16_t)(z + slab)}};
-        status =
-            qv_illuminate(voxels + z * slice_bytes, slab * slice_bytes, &f->volume[0],
-                          &f->attenuation[0], &splats->lighting, splats->interpolation, &block);
+        status = qv_illuminate(voxels + z * slice_bytes, (size_t)slab * (size_t)slice_bytes,
+                               &f->volume[0], &f->attenuation[0], &splats->lighting,
+                               splats->interpolation, &block);
     }
     return status;
 }

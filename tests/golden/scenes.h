@@ -6,7 +6,7 @@
  * odd sizes, strides, spacings, steps, phases, backgrounds and terminations at
  * least once; those by slices every blend, sequence and technique; those of FreeVoxels both
  * splattings and kernels, lit voxels, every order and storage, levels, eyes inside. A scene
- * takes less than 14 KB with all its data, so that it runs where RAM is 16 KB. Scenes come in
+ * takes less than 13 KB with all its data, so that it runs where RAM is 16 KB. Scenes come in
  * sets, since the code of all modes is more than some devices' flash holds.
  */
 #ifndef GOLDEN_SCENES_H
@@ -36,7 +36,7 @@ typedef enum golden_order {
 
 /* A sampling mode; its storage stands in the descriptor. */
 typedef struct golden_mode {
-    const qv_sampling *sampling;
+    const qv_sampling *sampling; /* null: not linked, see set.h */
     golden_family family;
     golden_order order;
 } golden_mode;
@@ -224,7 +224,7 @@ void golden_describe(golden_scene *golden, const golden_set *set, uint32_t numbe
 enum { GOLDEN_WORDS = 5 };
 void golden_name(const char *word[GOLDEN_WORDS], const golden_scene *golden);
 
-enum { GOLDEN_VOXEL_BYTES = 5120, GOLDEN_SCALARS = 512, GOLDEN_PIXEL_BYTES = 2560 };
+enum { GOLDEN_VOXEL_BYTES = 4608, GOLDEN_SCALARS = 512, GOLDEN_PIXEL_BYTES = 2560 };
 
 /* Most pixels of a picture of splats, and the sums that they take: of all, and of a part. */
 enum { GOLDEN_SPLAT_PIXELS = 36, GOLDEN_SUMS = GOLDEN_SPLAT_PIXELS * QV_SUM_CHANNELS };

@@ -1,8 +1,9 @@
 #include "set.h"
 
 static const golden_mode modes[] = {
-    MODE(qv_preweighted_associated8, GOLDEN_PREWEIGHTED, GOLDEN_FRONT_TO_BACK),
-    MODE(qv_preweighted_associated8_back_to_front, GOLDEN_PREWEIGHTED, GOLDEN_BACK_TO_FRONT),
+    MODE(DIRECT8, qv_preweighted_associated8, GOLDEN_PREWEIGHTED, GOLDEN_FRONT_TO_BACK),
+    MODE(DIRECT8, qv_preweighted_associated8_back_to_front, GOLDEN_PREWEIGHTED,
+         GOLDEN_BACK_TO_FRONT),
 };
 
 /* From near by, so that each of few scenes covers enough of its picture. */

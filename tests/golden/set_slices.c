@@ -3,16 +3,17 @@
 /* Every storage, family and order, but not all of each. */
 static const golden_mode modes[] = {
     OPACITY_MODES(qv_nearest, , GOLDEN_NEAREST, GOLDEN_FRONT_TO_BACK),
-    MODE(qv_separate_rgba8, GOLDEN_SEPARATE, GOLDEN_FRONT_TO_BACK),
+    MODE(DIRECT8, qv_separate_rgba8, GOLDEN_SEPARATE, GOLDEN_FRONT_TO_BACK),
     OPACITY_MODES(qv_weighted, _back_to_front, GOLDEN_WEIGHTED, GOLDEN_BACK_TO_FRONT),
     OPACITY_MODES(qv_corrected, , GOLDEN_CORRECTED, GOLDEN_FRONT_TO_BACK),
     OPACITY_MODES(qv_extinction, _back_to_front, GOLDEN_EXTINCTION, GOLDEN_BACK_TO_FRONT),
     EXTINCTION_MODES(qv_extinction, , GOLDEN_EXTINCTION, GOLDEN_FRONT_TO_BACK),
-    MODE(qv_bspline_weighted_rgba8, GOLDEN_BSPLINE_WEIGHTED, GOLDEN_FRONT_TO_BACK),
-    MODE(qv_bspline_extinction_indexed8_t8, GOLDEN_BSPLINE_EXTINCTION, GOLDEN_FRONT_TO_BACK),
-    MODE(qv_corrected_rgba8_levels, GOLDEN_CORRECTED, GOLDEN_LEVELS),
-    MODE(qv_extinction_indexed8_levels, GOLDEN_EXTINCTION, GOLDEN_LEVELS),
-    MODE(qv_extinction_rgbt16_levels, GOLDEN_EXTINCTION, GOLDEN_LEVELS),
+    MODE(DIRECT8, qv_bspline_weighted_rgba8, GOLDEN_BSPLINE_WEIGHTED, GOLDEN_FRONT_TO_BACK),
+    MODE(INDEXED8, qv_bspline_extinction_indexed8_t8, GOLDEN_BSPLINE_EXTINCTION,
+         GOLDEN_FRONT_TO_BACK),
+    MODE(DIRECT8, qv_corrected_rgba8_levels, GOLDEN_CORRECTED, GOLDEN_LEVELS),
+    MODE(INDEXED8, qv_extinction_indexed8_levels, GOLDEN_EXTINCTION, GOLDEN_LEVELS),
+    MODE(DIRECT16, qv_extinction_rgbt16_levels, GOLDEN_EXTINCTION, GOLDEN_LEVELS),
 };
 
 #define BLEND(name, direction)                                                                     \

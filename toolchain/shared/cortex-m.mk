@@ -10,4 +10,10 @@ TARGET_EMULATOR := qemu-system-arm -M $(TARGET_BOARD) -icount shift=8,sleep=off
 TARGET_PORT_FOLDER := port/cortex-m
 TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 
+# Marches (core/march.h): of a header, with what it needs in assembly.
+TARGET_MARCH ?= thumb2.h
+ifeq ($(TARGET_MARCH),thumb2.h)
+TARGET_MARCH_SOURCES := port/cortex-m/march_thumb2.S
+endif
+
 include toolchain/shared/firmware.mk

@@ -23,28 +23,39 @@ AVR_SIMULATOR := $(BUILD)/emulator/avr
 FIRMWARE_size_orthographic := $(addprefix port/cortex-m/,firmware_size.c firmware_size_orthographic.c)
 FIRMWARE_size_perspective := $(addprefix port/cortex-m/,firmware_size.c firmware_size_perspective.c)
 FIRMWARE_size_splats := port/cortex-m/firmware_size_splats.c
-GOLDEN_ON_DEVICE := $(addprefix tests/golden/,golden_device.c scenes.c volume.c render.c)
-FIRMWARE_golden_steps := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_steps_device.c set_steps.c)
-FIRMWARE_golden_lengths := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_lengths_device.c set_lengths.c)
-FIRMWARE_golden_bsplines := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_bsplines_device.c set_bsplines.c)
-FIRMWARE_golden_slices := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_slices_device.c set_slices.c render_slices.c)
-FIRMWARE_golden_splats := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_splats_device.c set_splats.c draw_splats.c \
-	render_splats.c)
-FIRMWARE_golden_preweighted := $(GOLDEN_ON_DEVICE) $(addprefix tests/golden/,golden_preweighted_device.c \
-	set_preweighted.c)
 FIRMWARE_bench := tests/bench/bench_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
+FIRMWARE_marches := tests/device/marches.c
 FIRMWARE_blends := tests/bench/blends_device.c
 TARGET_BALL ?= port/ball_flash.c
 BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
 FIRMWARE_ball := port/firmware_ball.c $(BALL_IN_FLASH)
+FIRMWARE_pages := port/firmware_pages.c $(BALL_IN_FLASH)
 FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
 ifdef TARGET_PANEL
-TARGET_FIRMWARE += head
+TARGET_FIRMWARE += head picture
+FIRMWARE_picture := port/firmware_picture.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL).c $(BALL_IN_FLASH)
 FIRMWARE_head := port/firmware_head.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL).c $(OUT)/head.c
 endif
 
-DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(TARGET_PORT_CFLAGS) \
+# What the target's own marches compute beside what C does.
+TARGET_FIRMWARE += $(if $(MARCH),marches)
+
+# A program for each set of golden scenes, or for the part of a set whose voxels are of some
+# storages, where the flash holds no more: SET or SET.PART in TARGET_GOLDEN.
+TARGET_GOLDEN ?= steps lengths bsplines slices splats preweighted
+GOLDEN_PARTS := direct8 direct16 indexed8 indexed16 narrow wide
+STORAGES_narrow := DIRECT8|INDEXED8
+STORAGES_wide := DIRECT16|INDEXED16
+GOLDEN_ON_DEVICE := golden_device.c scenes.c volume.c render.c
+GOLDEN_slices := render_slices.c
+GOLDEN_splats := draw_splats.c render_splats.c
+golden_sources = $(addprefix tests/golden/,$(GOLDEN_ON_DEVICE) $(GOLDEN_$(basename $(1))) \
+	golden_$(basename $(1))_device.c set_$(1).c)
+$(foreach set,$(TARGET_GOLDEN),$(eval FIRMWARE_golden_$(set) := $(call golden_sources,$(set))))
+TARGET_FIRMWARE += $(TARGET_GOLDEN:%=golden_%)
+
+DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(MARCH_CFLAGS) $(TARGET_PORT_CFLAGS) \
 	-Icore -Ifixedpoint -Iport -I$(TARGET_PORT_FOLDER) -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
 DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CFLAGS) $(TARGET_LDFLAGS))
@@ -52,8 +63,10 @@ DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CF
 # Objects of sources in the tree, and of generated ones, which lie in $(OUT).
 objects = $(patsubst %.c,$(OUT)/%.o,$(1:$(OUT)/%=%))
 
-.PHONY: firmware
+.PHONY: firmware golden
 firmware: $(TARGET_FIRMWARE:%=$(OUT)/%.elf)
+
+golden: $(TARGET_GOLDEN:%=$(OUT)/golden_%.elf)
 
 $(OUT)/port/%.o: port/%.c $(DEVICE_OPTIONS)
 	@mkdir -p $(@D)
@@ -64,6 +77,14 @@ $(OUT)/tests/%.o: tests/%.c $(DEVICE_OPTIONS)
 	@mkdir -p $(@D)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
+
+define compile_golden_part
+$(OUT)/tests/golden/set_%.$(1).o: tests/golden/set_%.c $(DEVICE_OPTIONS)
+	@mkdir -p $$(@D)
+	@echo "  CC  $$< $(1)"
+	@$(TARGET_CC) $(DEVICE_CFLAGS) -D'GOLDEN_STORAGES=$(or $(STORAGES_$(1)),$(2))' -c $$< -o $$@
+endef
+$(foreach part,$(GOLDEN_PARTS),$(eval $(call compile_golden_part,$(part),$(shell echo $(part) | tr a-z A-Z))))
 
 $(OUT)/%.o: $(OUT)/%.c $(DEVICE_OPTIONS)
 	@echo "  CC  $<"

@@ -19,5 +19,7 @@ TARGET_LDLIBS := -lgcc
 TARGET_EMULATOR_NEEDS = $(COUNT_PLUGIN)
 TARGET_COUNT = -plugin $(COUNT_PLUGIN),out=
 
-TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices golden_splats golden_preweighted bench \
-	functions blends ball freevoxels size_orthographic size_perspective size_splats
+# Levels of optimisation that the golden scenes are tested at.
+TARGET_LEVELS ?= -Os -O2
+
+TARGET_FIRMWARE := bench functions blends ball pages freevoxels size_orthographic size_perspective size_splats

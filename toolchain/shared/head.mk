@@ -56,3 +56,4 @@ $(OUT)/head_view.h: $(OUT)/frame0.json
 $(OUT)/port/firmware_head.o: $(OUT)/head_view.h
 $(OUT)/port/firmware_head.o: TARGET_PORT_CFLAGS += -DPANEL_HEADER='"$(TARGET_PANEL).h"' \
 	-DHEAD_FRAMES=$(HEAD_FRAMES)u -DHEAD_SAMPLING=qv_weighted_$(HEAD_STORAGE)
+$(OUT)/port/firmware_picture.o: TARGET_PORT_CFLAGS += -DPANEL_HEADER='"$(TARGET_PANEL).h"'

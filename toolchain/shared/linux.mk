@@ -1,6 +1,7 @@
 # What all targets share that are programs of a Linux machine: this one, or one that QEMU
 # translates. A target sets TARGET_CC, TARGET_AR, TARGET_CPU, TARGET_QEMU and
 # TARGET_PACKAGES, and includes this file. The library is freestanding all the same.
+TARGET_LEVELS ?= -O2
 OPTIMISE ?= -O2
 TARGET_CFLAGS = $(TARGET_CPU) $(OPTIMISE) -ffreestanding -ffunction-sections -fdata-sections $(CFLAGS)
 
@@ -15,5 +16,4 @@ TARGET_PORT := $(addprefix port/linux/,console.c measure.c) port/console.c port/
 
 TARGET_LDFLAGS := $(TARGET_CPU) -static -Wl,--gc-sections
 
-TARGET_FIRMWARE := golden_steps golden_lengths golden_bsplines golden_slices golden_splats bench \
-	functions blends ball freevoxels
+TARGET_FIRMWARE := bench functions blends ball freevoxels

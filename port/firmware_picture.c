@@ -1,0 +1,64 @@
+/*
+ * firmware_picture.c - the ball of ball.h on the board's panel, by rays, in strips: all that a
+ * firmware needs to show a volume in its flash.
+ */
+#include PANEL_HEADER
+#include "ball.h"
+#include "console.h"
+#include "crc32.h"
+#include "machine.h"
+
+enum { STRIP_ROWS = 8 };
+
+#define AZIMUTH   0x15555555u /* 30 degrees */
+#define ELEVATION 0x0E38E38Eu /* 20 degrees */
+
+static qv_context context;
+static uint8_t strip[STRIP_ROWS][PANEL_ROW_BYTES];
+
+static qv_status start(void)
+{
+    /* The ball's diameter and its fog fill the height. */
+    qv_view view = {.pitch = QV_ONE_Q16 * BALL_SIZE / PANEL_HEIGHT,
+                    .step = QV_ONE_Q16 / 2,
+                    .width = PANEL_WIDTH,
+                    .height = PANEL_HEIGHT};
+    qv_scene scene = {.sampling = &qv_bspline_weighted_indexed8,
+                      .termination = QV_TERMINATION_DEFAULT,
+                      .background = {10, 12, 20, 255}};
+    ball_volume(&scene.volume);
+    qv_rotation(view.rotation, AZIMUTH, ELEVATION, 0);
+    qv_status status = qv_orthographic(&scene.camera, &scene.volume, &view);
+    return status == QV_OK ? qv_init(&context, &scene) : status;
+}
+
+static qv_status draw(uint32_t *checksum)
+{
+    const qv_image image = {strip, sizeof strip, sizeof strip[0], &PANEL_FORMAT};
+    qv_status status = QV_OK;
+    for (int32_t top = 0; top < PANEL_HEIGHT && status == QV_OK; top += STRIP_ROWS) {
+        const qv_rect rows = {0, top, PANEL_WIDTH, top + STRIP_ROWS};
+        status = qv_render(&image, &context, &rows);
+        panel_rows((uint32_t)top, strip[0], STRIP_ROWS);
+        *checksum = crc32_update(*checksum, strip, sizeof strip);
+    }
+    return status;
+}
+
+int main(void)
+{
+    uint32_t checksum = 0;
+    panel_start();
+    qv_status status = start();
+    if (status == QV_OK)
+        status = draw(&checksum);
+    if (status != QV_OK) {
+        console_text(qv_status_text(status));
+        return 1;
+    }
+    console_text("checksum ");
+    console_hexadecimal(checksum);
+    console_text("\nREADY\n");
+    for (;;)
+        machine_wait();
+}
