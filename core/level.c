@@ -1,6 +1,5 @@
 #include "level.h"
 
-#include "fx_inline.h"
 #include "pyramid.h"
 
 #define BLEND_BITS 24 /* from Q8.8 to Q0.32 */
@@ -68,8 +67,15 @@ void qv_span_blend(qv_span *span, const qv_run *run)
     span->rise = (uint32_t)fx_divide((uint64_t)1 << (32u + span->level), span->octave);
 }
 
-static void set_level(qv_level *level, const qv_volume *volume)
+/* What sampling reads of the volume itself, or of a level. */
+static void set_level(qv_level *level, const qv_scene *scene, unsigned number)
 {
+    const qv_volume *volume = &scene->volume;
+    if (number != 0) {
+        qv_pyramid_place(&level->voxels, level->size, volume, scene->pyramid, (uint8_t)number);
+        qv_pyramid_strides(level->stride, level->size, volume->storage);
+        return;
+    }
     level->voxels = volume->voxels;
     for (unsigned axis = 0; axis < 3; axis++) {
         level->stride[axis] = volume->stride[axis];
@@ -78,18 +84,10 @@ static void set_level(qv_level *level, const qv_volume *volume)
 }
 
 /* Makes the levels those of a span. The second is only described where it exists. */
-static FX_NOINLINE void describe(qv_levels *levels, unsigned finer, const qv_scene *scene)
+static void describe(qv_levels *levels, unsigned finer, const qv_scene *scene)
 {
-    qv_volume volume;
-    for (unsigned i = 0; i < 2; i++) {
-        unsigned number = finer + i;
-        if (number == 0) {
-            set_level(&levels->level[i], &scene->volume);
-        } else if (number <= scene->pyramid->levels) {
-            qv_pyramid_describe(&volume, &scene->volume, scene->pyramid, (uint8_t)number);
-            set_level(&levels->level[i], &volume);
-        }
-    }
+    for (unsigned i = 0; i < 2 && finer + i <= scene->pyramid->levels; i++)
+        set_level(&levels->level[i], scene, finer + i);
     levels->finer = finer;
 }
 

@@ -63,13 +63,13 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
     return 1;
 }
 
+/* Through the pieces of a ray that was clipped. */
 FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *context,
                                 unsigned storage, const qv_family *family, qv_look *look)
 {
     const qv_subject subject = {&context->scene.volume, 0, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
-    qv_path_clip(ray, context);
     qv_run_begin(&run, ray);
     while (qv_next_run(&run, ray, ray->leave, 0) &&
            qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &subject))
@@ -78,14 +78,13 @@ FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *
         qv_gathered_light(light, &gathered, &context->medium);
 }
 
-/* Back to front: every piece is taken. */
+/* The same back to front: every piece is taken. */
 FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_context *context,
                                      unsigned storage, const qv_family *family, qv_look *look)
 {
     const qv_subject subject = {&context->scene.volume, 0, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
-    qv_path_clip(ray, context);
     qv_path_reverse(ray);
     qv_run_begin(&run, ray);
     while (qv_next_run(&run, ray, ray->leave, 0)) {
@@ -107,7 +106,8 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
 
 /*
  * Defines the sampling mode qv_MODE_SUFFIX of a family for a storage, in both orders.
- * Macros because the descriptors are public names; the code is qv_march_lengths.
+ * Macros because the descriptors are public names; the code is qv_march_lengths. A ray is clipped
+ * before the loop over its pieces has its stack frame.
  */
 #define QV_DEFINE_BY_LENGTH(mode, suffix, prepare, family, read_out, storage)                      \
     static FX_NOINLINE int look_##suffix(qv_sample *sample, const qv_ray *ray,                     \
@@ -118,14 +118,26 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
         (void)by;                                                                                  \
         return qv_look_at_volume(sample, ray, subject, storage, family);                           \
     }                                                                                              \
-    static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
+    static FX_NOINLINE void pieces_##suffix(qv_light *light, qv_ray *ray,                          \
+                                            const qv_context *context)                             \
     {                                                                                              \
         qv_march_lengths(light, ray, context, storage, family, QV_LOOK(family, look_##suffix));    \
     }                                                                                              \
-    static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
+    static FX_NOINLINE void pieces_back_##suffix(qv_light *light, qv_ray *ray,                     \
+                                                 const qv_context *context)                        \
     {                                                                                              \
         qv_march_lengths_back(light, ray, context, storage, family,                                \
                               QV_LOOK(family, look_##suffix));                                     \
+    }                                                                                              \
+    static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
+    {                                                                                              \
+        qv_path_clip(ray, context);                                                                \
+        pieces_##suffix(light, ray, context);                                                      \
+    }                                                                                              \
+    static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
+    {                                                                                              \
+        qv_path_clip(ray, context);                                                                \
+        pieces_back_##suffix(light, ray, context);                                                 \
     }                                                                                              \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage,  \
                                                       1};                                          \

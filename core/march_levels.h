@@ -97,7 +97,6 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
     qv_run run;
     const qv_subject subject = {&context->scene.volume, &levels, &span};
     levels.finer = QV_NO_LEVEL;
-    qv_path_clip(ray, context);
     qv_run_begin(&run, ray);
     while (qv_next_run_of_levels(&span, &levels, &run, ray, &context->scene) &&
            qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &subject))
@@ -132,9 +131,15 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
         (void)by;                                                                                  \
         return qv_look_at_levels(sample, ray, subject, of, indices_##suffix, entries_##suffix);    \
     }                                                                                              \
-    static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
+    static FX_NOINLINE void pieces_##suffix(qv_light *light, qv_ray *ray,                          \
+                                            const qv_context *context)                             \
     {                                                                                              \
         qv_march_levels(light, ray, context, storage, family, look_##suffix);                      \
+    }                                                                                              \
+    static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
+    {                                                                                              \
+        qv_path_clip(ray, context);                                                                \
+        pieces_##suffix(light, ray, context);                                                      \
     }                                                                                              \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_levels = {prepare_##suffix, march_##suffix,   \
                                                                read_out, storage, 1};
