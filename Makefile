@@ -45,9 +45,17 @@ ifneq ($(MARCH),)
 MARCH_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
 MARCH_OBJECTS := $(TARGET_MARCH_SOURCES:%.S=$(OUT)/%.o)
 endif
+# Passages likewise, see core/preweighted.h; make PASSAGE= TARGET=...
+PASSAGE ?= $(TARGET_PASSAGE)
+ifneq ($(PASSAGE),)
+PASSAGE_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_PASSAGE_HEADER='"$(PASSAGE)"'
+endif
 LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(OUT)/%.o) $(MARCH_OBJECTS)
 LIBRARY_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP -ffreestanding $(TARGET_CFLAGS) $(MARCH_CFLAGS) \
-	-Icore -Ifixedpoint
+	$(PASSAGE_CFLAGS) -Icore -Ifixedpoint
+ifneq ($(TARGET),host)
+LIBRARY_CFLAGS += -fstack-usage
+endif
 
 .PHONY: all lib
 ifeq ($(TARGET),host)
@@ -104,8 +112,28 @@ firmware: ## firmware for a device: make firmware TARGET=cortex-m3
 	@echo "make: name a device: make firmware TARGET=cortex-m3" >&2; exit 2
 endif
 
-size: ## bytes of code, tables and stack on a Cortex-M0, by function
-	tests/static/size.sh --table
+# One of each processor.
+SIZE_TARGETS := $(filter-out cortex-m3-mps2 avr-ram host-clang host-32,$(DEVICES))
+
+.PHONY: size-lines size-update size-diff
+size: ## bytes of code, tables, contexts and stack on each target, by what a program uses
+	@tests/size/sizes.sh lines $(SIZE_TARGETS) >$(BUILD)/sizes
+	@tests/size/sizes.sh table <$(BUILD)/sizes
+
+size-lines:
+	@tests/size/sizes.sh lines $(SIZE_TARGETS)
+
+size-update: ## write tests/size/SIZES.md anew
+	@tests/size/sizes.sh lines $(SIZE_TARGETS) >$(BUILD)/sizes
+	tests/size/sizes.sh document <$(BUILD)/sizes >tests/size/SIZES.md
+
+size-diff: ## sizes beside those of another revision: make size-diff REV=v0.1
+	@tests/size/diff.sh "$(REV)" $(SIZE_TARGETS)
+
+.PHONY: insns
+insns: ## instructions a sample, a blended pixel and a ray on each target, and beside floats
+	@tests/bench/insns.sh lines $(filter-out wasm32,$(SIZE_TARGETS)) >$(BUILD)/insns
+	@tests/bench/insns.sh table <$(BUILD)/insns
 
 bench: $(QVOL) ## instructions per sample on the devices, samples per second on the host
 	tests/bench/bench.sh

@@ -1,5 +1,9 @@
 #include "preweighted.h"
 
+#ifdef QV_PASSAGE_HEADER
+#include QV_PASSAGE_HEADER
+#else
+
 /* Light of one channel: of its halves at the two ends of the rows. */
 static uint32_t lower(uint32_t low, uint32_t high, uint32_t share_low, uint32_t share_high)
 {
@@ -36,3 +40,5 @@ void qv_passage_under(qv_passage *passage)
             return;
     } while (passage->samples != 0);
 }
+
+#endif

@@ -28,13 +28,14 @@
 
 /*
  * Samples of a ray whose cells have the same steps from voxel to voxel: all of those between
- * the outermost voxel centres, or one beyond them. Port twins know this layout by its order.
+ * the outermost voxel centres, or those beyond them that are clamped alike. Twins know the order of
+ * the fields.
  */
 typedef struct qv_passage {
-    uint32_t advance[3]; /* from sample to sample, fraction bits of Q31.32 */
-    uint32_t place[3];   /* of the next sample in its cell, Q0.32 */
     qv_offset next[3];   /* to a voxel's neighbour on each axis; 0 where clamped */
-    qv_offset step;      /* from sample to sample, whole voxels */
+    uint32_t advance[3]; /* from sample to sample, fraction bits of Q31.32 */
+    qv_offset step;      /* the same, whole voxels */
+    uint32_t place[3];   /* of the next sample in its cell, Q0.32 */
     qv_address base;     /* voxel with the lowest indices of the next sample's cell */
     uint32_t light[3];
     uint32_t transmittance; /* QV_UNDIMMED at first */
@@ -45,8 +46,8 @@ typedef struct qv_passage {
 
 /*
  * Composites the samples of a passage, 1 or more, until none remain or its transmittance is at
- * most `enough`. A port may put a twin of its own in the place of qv_passage_under, with the
- * same results but for base and place, which are of no use afterwards.
+ * most `enough`. A port may name a header in QV_PASSAGE_HEADER that defines a twin of
+ * qv_passage_under; base and place, which are of no use afterwards, need not be the same.
  */
 void qv_passage_under(qv_passage *passage);
 void qv_passage_over(qv_passage *passage);

@@ -129,6 +129,7 @@ FX_INLINE void qv_add_voxel(qv_sample *sum, fx_weight weight, qv_address entry,
                             const fx_density *density, unsigned storage, qv_factor factor)
 {
     fx_sum term[3];
+    FX_IN_ORDER();
     fx_share share = qv_share(weight, entry, density, storage, factor);
     qv_terms(term, weight, share, entry, storage, factor);
     sum->opacity = fx_share_add(sum->opacity, share);

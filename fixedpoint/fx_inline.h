@@ -35,4 +35,12 @@
 #define FX_FORGET() ((void)0)
 #endif
 
+/* Has GCC read memory in the order that is written, where it else reads ahead more than it has
+   registers for. */
+#if defined(__riscv) || defined(__ARM_ARCH_6M__)
+#define FX_IN_ORDER() FX_FORGET()
+#else
+#define FX_IN_ORDER() ((void)0)
+#endif
+
 #endif /* FX_INLINE_H */

@@ -1,7 +1,8 @@
 # ATmega1284P, 8 bits: volumes lie in program memory.
 TARGET_OPTIONS := -DQV_MEMORY_HEADER='"volume_flash.h"'
 TARGET_GOLDEN :=
-TARGET_FIRMWARE := functions blends planet ball pages freevoxels
+TARGET_BENCH_MODES := tests/bench/bench_modes_few.c
+TARGET_FIRMWARE := bench float functions blends planet ball pages freevoxels
 include toolchain/shared/avr.mk
 
 # ---- The planet in flash ----------------------------------------------------------

@@ -3,27 +3,27 @@
  * (ARMv7-M, ARMv7E-M, ARMv8-M with the main extension): what qv_march and qv_march_back do with
  * qv_take_weighted, to the bit. C spills what 14 registers hold here.
  *
- *     void thumb2_march_rgba8(thumb2_walk *walk);
- *     void thumb2_march_back_rgba8(thumb2_walk *walk);
- *     void thumb2_march_indexed8(thumb2_walk *walk);
- *     void thumb2_march_back_indexed8(thumb2_walk *walk);
+ *     void thumb_march_rgba8(thumb_walk *walk);
+ *     void thumb_march_back_rgba8(thumb_walk *walk);
+ *     void thumb_march_indexed8(thumb_walk *walk);
+ *     void thumb_march_back_indexed8(thumb_walk *walk);
  *
- * r0 walks through what thumb2.h lays out, and is back at the x axis where a sample begins:
+ * r0 walks through what thumb.h lays out, and is back at the x axis where a sample begins:
  *
+ *     palette, skipped samples     r0 - 32 .. r0 - 24
  *     light, counter, threshold    r0 - 24 .. r0
  *     x axis, voxels               r0 .. r0 + 28
  *     y axis                       r0 + 28 .. r0 + 52
  *     z axis                       r0 + 52 .. r0 + 76: here it stands in between
  *     weights                      r0 + 76 .. r0 + 100
- *     palette, skipped samples     r0 + 100 .. r0 + 108
  */
         .syntax unified
         .thumb
 
         .equ    AXES, 76
-        .equ    SAMPLES, -84            /* from behind the axes */
-        .equ    PALETTE, 24
-        .equ    SKIPPED, 28
+        .equ    PALETTE, -108           /* from behind the axes */
+        .equ    SKIPPED, -104
+        .equ    SAMPLES, -84
         .equ    AXIS_MAX, 4096
         .equ    HALF, 0x80000000        /* of what a product's upper half counts */
 
@@ -110,7 +110,7 @@
         .type   \name, %function
 \name:
         push    {r4-r11, lr}
-        adds    r0, #24
+        adds    r0, #32
 .Lsample_\name:
         ldmia   r0!, {r4-r9, r12}
         locate  r1, r9, 28
@@ -238,7 +238,7 @@
         .size   \name, . - \name
         .endm
 
-        march   thumb2_march_rgba8, 0, 0
-        march   thumb2_march_back_rgba8, 0, 1
-        march   thumb2_march_indexed8, 1, 0
-        march   thumb2_march_back_indexed8, 1, 1
+        march   thumb_march_rgba8, 0, 0
+        march   thumb_march_back_rgba8, 0, 1
+        march   thumb_march_indexed8, 1, 0
+        march   thumb_march_back_indexed8, 1, 1

@@ -7,59 +7,14 @@
  * inside a ray, and what "full" costs beyond its samples belongs to rays.
  */
 #include <stdbool.h>
+#include "bench_modes.h"
 #include "measure.h"
-#include "qvol.h"
 #include "console.h"
+#include "access.h"
 
 /* Rays through the middle of a cube, so that few samples lie in its outermost half voxel, where
    cells are clamped. */
 enum { EDGE = 10, VOXELS = EDGE * EDGE * EDGE, WIDTH = 8, HEIGHT = 8 };
-
-typedef struct mode {
-    const char *storage;
-    const char *name;
-    const qv_sampling *sampling;
-} mode;
-
-static const mode modes[] = {
-    {"rgba8", "nearest", &qv_nearest_rgba8},
-    {"rgba8", "separate", &qv_separate_rgba8},
-    {"rgba8", "weighted", &qv_weighted_rgba8},
-    {"associated8", "preweighted", &qv_preweighted_associated8},
-    {"rgba8", "corrected", &qv_corrected_rgba8},
-    {"rgba8", "extinction", &qv_extinction_rgba8},
-    {"rgba8", "bspline_weighted", &qv_bspline_weighted_rgba8},
-    {"rgba8", "bspline_extinction", &qv_bspline_extinction_rgba8},
-    {"rgba16", "nearest", &qv_nearest_rgba16},
-    {"rgba16", "separate", &qv_separate_rgba16},
-    {"rgba16", "weighted", &qv_weighted_rgba16},
-    {"rgba16", "corrected", &qv_corrected_rgba16},
-    {"rgba16", "extinction", &qv_extinction_rgba16},
-    {"rgba16", "bspline_weighted", &qv_bspline_weighted_rgba16},
-    {"rgba16", "bspline_extinction", &qv_bspline_extinction_rgba16},
-    {"indexed8", "nearest", &qv_nearest_indexed8},
-    {"indexed8", "separate", &qv_separate_indexed8},
-    {"indexed8", "weighted", &qv_weighted_indexed8},
-    {"indexed8", "corrected", &qv_corrected_indexed8},
-    {"indexed8", "extinction", &qv_extinction_indexed8},
-    {"indexed8", "bspline_weighted", &qv_bspline_weighted_indexed8},
-    {"indexed8", "bspline_extinction", &qv_bspline_extinction_indexed8},
-    {"indexed8_16", "nearest", &qv_nearest_indexed8_16},
-    {"indexed8_16", "separate", &qv_separate_indexed8_16},
-    {"indexed8_16", "weighted", &qv_weighted_indexed8_16},
-    {"indexed8_16", "corrected", &qv_corrected_indexed8_16},
-    {"indexed8_16", "extinction", &qv_extinction_indexed8_16},
-    {"indexed8_16", "bspline_weighted", &qv_bspline_weighted_indexed8_16},
-    {"indexed8_16", "bspline_extinction", &qv_bspline_extinction_indexed8_16},
-    {"rgbt8", "extinction", &qv_extinction_rgbt8},
-    {"rgbt8", "bspline_extinction", &qv_bspline_extinction_rgbt8},
-    {"rgbt16", "extinction", &qv_extinction_rgbt16},
-    {"rgbt16", "bspline_extinction", &qv_bspline_extinction_rgbt16},
-    {"indexed8_t8", "extinction", &qv_extinction_indexed8_t8},
-    {"indexed8_t8", "bspline_extinction", &qv_bspline_extinction_indexed8_t8},
-    {"indexed8_t16", "extinction", &qv_extinction_indexed8_t16},
-    {"indexed8_t16", "bspline_extinction", &qv_bspline_extinction_indexed8_t16},
-};
 
 /* Four times two entries of 8 bits or one of 16, the same in either byte order: of thin opacity,
    so that no ray ends early, and without a byte, hence an index, of 0. */
@@ -120,12 +75,12 @@ static void make_volume(qv_volume *volume, qv_storage storage, bool is_sparse)
     }
 }
 
-static qv_status make_context(qv_context *context, const mode *m, const picture *of)
+static qv_status make_context(qv_context *context, const bench_mode *m, const picture *of)
 {
     qv_scene scene = {.sampling = m->sampling};
     qv_view view = {.pitch = QV_ONE_Q16 / 2, .step = of->step, .width = WIDTH, .height = HEIGHT};
-    make_volume(&scene.volume, (qv_storage)m->sampling->storage, of->sparse);
-    if (m->sampling->by_length) {
+    make_volume(&scene.volume, (qv_storage)QV_FIELD(m->sampling, storage), of->sparse);
+    if (QV_FIELD(m->sampling, by_length)) {
         scene.volume.unit_distance = QV_ONE_Q16;
         scene.volume.extinction = QV_ONE_Q16;
     }
@@ -140,7 +95,7 @@ static void print_number(uint32_t number)
     console_decimal(number);
 }
 
-static void print_line(const mode *m, const picture *of, const qv_progress *progress)
+static void print_line(const bench_mode *m, const picture *of, const qv_progress *progress)
 {
     console_text(m->storage);
     console_text(" ");
@@ -153,7 +108,7 @@ static void print_line(const mode *m, const picture *of, const qv_progress *prog
     console_text("\n");
 }
 
-static qv_status measure(const mode *m, const picture *of)
+static qv_status measure(const bench_mode *m, const picture *of)
 {
     static qv_context context;
     static const qv_rect frame = {0, 0, WIDTH, HEIGHT};
@@ -172,9 +127,9 @@ static qv_status measure(const mode *m, const picture *of)
 int main(void)
 {
     qv_status status = QV_OK;
-    for (uint32_t i = 0; i < sizeof modes / sizeof *modes; i++)
+    for (uint32_t i = 0; i < bench_mode_count; i++)
         for (uint32_t p = 0; p < sizeof pictures / sizeof *pictures && status == QV_OK; p++)
-            status = measure(&modes[i], &pictures[p]);
+            status = measure(&bench_modes[i], &pictures[p]);
     if (status != QV_OK) {
         console_text(qv_status_text(status));
         console_text("\n");

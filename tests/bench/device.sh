@@ -5,7 +5,8 @@
 # a ray, and what each ray costs besides: set-up and pixel.
 #
 #     tests/bench/device.sh           a Markdown table of both devices
-#     tests/bench/device.sh TARGET    lines "STORAGE MODE SCENE INSTRUCTIONS" of one
+#     tests/bench/device.sh TARGET    lines "STORAGE MODE SCENE INSTRUCTIONS" of one; on an
+#                                     AVR, of some modes, in cycles
 set -eu
 : "${BUILD:=build}" "${OPTIMISE:=-O2}"
 cd "$(dirname "$0")/../.."
@@ -18,7 +19,7 @@ count() { # count TARGET
     EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/bench.elf" >"$work/scenes" 2>"$work/messages" ||
         { cat "$work/scenes" "$work/messages" >&2; exit 1; }
     paste -d ' ' "$work/scenes" "$work/regions" |
-        awk '{ rays = $4; samples = $5; executed = $10; mode = $1 " " $2 }
+        awk '{ rays = $4; samples = $5; executed = $11 == "cycles" ? $12 : $10; mode = $1 " " $2 }
             $3 != "fine" { print mode, $3, sprintf("%.0f", executed / samples) }
             $3 == "full" { full = executed; taken = samples }
             $3 == "fine" {

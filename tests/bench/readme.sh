@@ -16,7 +16,8 @@ replace() {
     cp "$work/README.md" README.md
 }
 
-tests/static/size.sh --readme >"$work/sizes"
+make -s size-lines >"$work/lines"
+tests/size/sizes.sh readme <"$work/lines" >"$work/sizes"
 tests/bench/bench.sh >"$work/speeds"
 tests/bench/blends.sh >"$work/blends"
 tests/bench/freevoxels.sh >"$work/freevoxels"

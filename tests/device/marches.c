@@ -177,6 +177,16 @@ static bool compare_ray(uint32_t *taken, const form *f)
     return false;
 }
 
+/* Whether the target leaves a form to C altogether. */
+static bool left_to_c(const form *f)
+{
+    qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
+    qv_ray ray;
+    random_volume(f->storage);
+    random_ray(&ray);
+    return march_in_twin(&light, &ray, f) == 0;
+}
+
 static bool compare(const form *f)
 {
     uint32_t taken = 0, rays = 0;
@@ -203,7 +213,12 @@ int main(void)
         {"indexed8, back to front", QV_STORAGE_INDEXED8, 1},
     };
     bool same = true;
-    for (unsigned i = 0; i < sizeof forms / sizeof *forms; i++)
+    unsigned compared = 0;
+    for (unsigned i = 0; i < sizeof forms / sizeof *forms; i++) {
+        if (left_to_c(&forms[i]))
+            continue;
         same = compare(&forms[i]) && same;
-    return !same;
+        compared++;
+    }
+    return compared == 0 || !same;
 }

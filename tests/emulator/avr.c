@@ -6,8 +6,9 @@
  * The first serial port is standard output. The firmware ends the run by writing its
  * exit code to GPIOR0, and marks what is measured by writing 1, then 0 to GPIOR1
  * (port/avr/simulator.c). For every such region, one line in the file out:
- *     region NUMBER instructions COUNT cycles COUNT ram BYTES
- * The last is what data and stack have taken since the reset.
+ *     region NUMBER instructions COUNT cycles COUNT ram BYTES stack BYTES
+ * RAM is what data and stack have taken since the reset; the stack is counted downwards
+ * from the caller of measure_begin.
  */
 #include <fcntl.h>
 #include <gelf.h>
@@ -24,7 +25,10 @@
 #include <simavr/sim_io.h>
 
 /* Addresses of an ATmega1284P's registers as data. */
-enum { GPIOR0 = 0x3E, GPIOR1 = 0x4A };
+enum { GPIOR0 = 0x3E, GPIOR1 = 0x4A, SPL = 0x5D, SPH = 0x5E };
+
+/* What a call pushes in 128 KB of flash. */
+enum { RETURN_ADDRESS = 2 };
 
 /* Where linkers put RAM, which starts without contents, beside the flash. */
 #define RAM_BASE 0x800000u
@@ -47,6 +51,9 @@ typedef struct {
     uint64_t instructions; /* since the reset, where there is a report */
     uint64_t instructions_at_begin;
     avr_cycle_count_t cycles_at_begin;
+    unsigned free_first; /* of what lies between the data and the stack */
+    unsigned stack_start;
+    unsigned ram_before; /* used until the region began, which paints what is free */
     bool ended;
     int exit_code;
 } run;
@@ -67,30 +74,59 @@ static void end_run(struct avr_t *avr, avr_io_addr_t address, uint8_t value, voi
     r->exit_code = value;
 }
 
-/* All of the RAM but the longest stretch that was never written: what lies between the data
-   and the deepest stack. */
-static unsigned ram_used(const avr_t *avr)
+/* The longest stretch that was never written: what lies between the data and the deepest
+   stack. Returns its length. */
+static unsigned find_free(unsigned *first_free, const avr_t *avr)
 {
     unsigned longest = 0, stretch = 0, first = avr->ioend + 1u;
     for (unsigned address = first; address <= avr->ramend; address++) {
         stretch = avr->data[address] == PAINT ? stretch + 1 : 0;
-        longest = stretch > longest ? stretch : longest;
+        if (stretch > longest) {
+            longest = stretch;
+            *first_free = address + 1 - stretch;
+        }
     }
-    return avr->ramend + 1u - first - longest;
+    return longest;
+}
+
+static unsigned ram_used(const avr_t *avr)
+{
+    unsigned first_free = 0;
+    return avr->ramend - avr->ioend - find_free(&first_free, avr);
+}
+
+/* Called in measure_begin. The stack pointer is the first free byte below the stack. */
+static void begin(avr_t *avr, run *r)
+{
+    unsigned used = ram_used(avr);
+    unsigned pointer = avr->data[SPL] | (unsigned)avr->data[SPH] << 8;
+    r->ram_before = used > r->ram_before ? used : r->ram_before;
+    find_free(&r->free_first, avr);
+    memset(avr->data + r->free_first, PAINT, pointer + 1 - r->free_first);
+    r->stack_start = pointer + RETURN_ADDRESS;
+    r->instructions_at_begin = r->instructions;
+    r->cycles_at_begin = avr->cycle;
+}
+
+static void end(const avr_t *avr, run *r)
+{
+    unsigned lowest = r->free_first, used = ram_used(avr);
+    while (lowest <= r->stack_start && avr->data[lowest] == PAINT)
+        lowest++;
+    fprintf(r->report, "region %u instructions %" PRIu64 " cycles %" PRIu64 " ram %u stack %u\n",
+            r->region++, r->instructions - r->instructions_at_begin,
+            avr->cycle - r->cycles_at_begin, used > r->ram_before ? used : r->ram_before,
+            r->stack_start + 1 - lowest);
 }
 
 static void mark(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *parameter)
 {
     run *r = parameter;
     (void)address;
-    if (value != 0) {
-        r->instructions_at_begin = r->instructions;
-        r->cycles_at_begin = avr->cycle;
-    } else if (r->report != NULL) {
-        fprintf(r->report, "region %u instructions %" PRIu64 " cycles %" PRIu64 " ram %u\n",
-                r->region++, r->instructions - r->instructions_at_begin,
-                avr->cycle - r->cycles_at_begin, ram_used(avr));
-    }
+    if (value != 0)
+        begin(avr, r);
+    else if (r->report != NULL)
+        end(avr, r);
 }
 
 static void log_errors(struct avr_t *avr, const int level, const char *format, va_list arguments)

@@ -1,102 +1,80 @@
 #!/bin/sh
-# What the smallest firmware takes on a Cortex-M0 (-Os, indexed8, RGB565 alone; weighted by rays
-# of either camera, or splats): flash and RAM from the linker's map, stack from an emulated run.
-#
-#     tests/static/size.sh            checks the limits, in TAP
-#     tests/static/size.sh --table    prints every function's share
-#     tests/static/size.sh --readme   prints the figures as a Markdown table
+# Sizes on every target (tests/size): no figure more than 1 % above what tests/size/SIZES.md
+# says, and what the library promises for any device. Stacks are those of the graph of calls,
+# which are never below what the emulators saw, or nothing is printed at all.
 set -eu
 . tests/tap
-build=${BUILD:-build}
-out=$build/cortex-m0
+table=tests/size/SIZES.md
 
-# Code and tables as measured before there were other modes: what is not named costs nothing, but
-# for the 16 bytes by which qv_render tells of voxels that could not be read, and those that the
-# test of the first corner takes.
-ORTHOGRAPHIC_LIMIT=4096
-PERSPECTIVE_LIMIT=4842
-CONTEXT_LIMIT=256
-STACK_LIMIT=512
-SPLATS_LIMIT=14592
-SPLATS_CONTEXT_LIMIT=576
+MINIMAL_M0=4096
+PERSPECTIVE_M0=6144
+MINIMAL_RV32EC=6144
+MINIMAL_AVR=10240
+EVERYTHING_M0=32768
+CONTEXT=256
+STACK_32=512
+STACK_AVR=384
 
-RAYS_CALLS="rotation camera init render"
-SPLATS_CALLS="splat_init splat_block read_out"
-
-# measure PROGRAM CALLS: its figures as lines "NAME NUMBER" in $work/PROGRAM.
-measure() {
-    toolchain/size_report "$out/size_$1.map" >"$work/$1"
-    EMULATOR_REPORT=$work/regions toolchain/emulate cortex-m0 "$out/size_$1.elf" >>"$work/$1"
-    awk -v calls="$2" 'BEGIN { split(calls, call) }
-         { print "stack_" call[$2 + 1], $6 }' "$work/regions" >>"$work/$1"
+compared() { # compared TARGET: today's lines beside the table's
+    awk -v target="$1" '
+        BEGIN { split("code tables .data .bss context scratch stack seen", name) }
+        FILENAME != "-" {
+            gsub(/[|`]/, " ")
+            $0 = $0
+            if ($1 == target)
+                for (i = 3; i <= 10; i++)
+                    most[$2, i] = $i
+            next
+        }
+        $1 == target {
+            found = 1
+            for (i = 3; i <= 10; i++) {
+                if (!(($2, i) in most)) {
+                    print $2, name[i - 2] ": not in the table"
+                    bad = 1
+                } else if ($i != "-" && $i > most[$2, i] * 1.01) {
+                    print $2, name[i - 2] ":", $i, "instead of", most[$2, i]
+                    bad = 1
+                }
+            }
+        }
+        END { exit bad || !found }' "$table" - <"$work/lines"
 }
 
-figure() { # figure PROGRAM NAME
-    awk -v name="$2" '$1 == name { print $2 }' "$work/$1"
-}
-
-limit() { # limit PROGRAM NAME MOST
-    value=$(figure "$1" "$2")
+limit() { # limit TARGET CONFIGURATION MOST WHAT: a sum of columns
+    columns=$4
+    value=$(awk -v target="$1" -v name="$2" -v columns="$columns" '
+        $1 == target && $2 == name {
+            count = split(columns, column, "+")
+            for (i = 1; i <= count; i++)
+                sum += $column[i]
+            print sum
+        }' "$work/lines")
     status=0
     { [ -n "$value" ] && [ "$value" -le "$3" ]; } || status=1
-    outcome $status "$1 $2: ${value:-unknown} of $3 bytes"
+    outcome $status "$1, $2: ${value:-unknown} of $3 bytes of $5"
 }
 
-table() {
-    for camera in orthographic perspective; do
-        echo "Cortex-M0 -Os, indexed8, weighted, RGB565, $camera, in bytes"
-        cat "$work/$camera"
-        echo
-    done
-    echo "Cortex-M0 -Os, indexed8, splats, orthographic between directions, RGB565, in bytes"
-    cat "$work/splats"
-}
+FLASH=3+4
+RAM=5+6
+KEPT=7
+STACK=9
 
-readme() {
-    echo "Bytes on a Cortex-M0 ($(arm-none-eabi-gcc --version | head -n 1), -Os), indexed8, RGB565"
-    echo "alone; compiler's helpers included. Stack below \`qv_render\` or \`qv_splat_block\`:"
-    echo
-    echo "| program | code and tables | .data, .bss | context | stack |"
-    echo "|---|---|---|---|---|"
-    readme_row orthographic "weighted, orthographic" stack_render
-    readme_row perspective "weighted, perspective" stack_render
-    readme_row splats "splats (\`qv_splat_init\`: $(figure splats stack_splat_init) of stack)" \
-        stack_splat_block
-}
-
-readme_row() { # readme_row PROGRAM TITLE STACK
-    echo "| $2 | $(figure "$1" code) | $(figure "$1" data), $(figure "$1" bss) |" \
-        "$(figure "$1" context) | $(figure "$1" "$3") |"
-}
-
-limits() {
-    limit orthographic code $ORTHOGRAPHIC_LIMIT
-    limit perspective code $PERSPECTIVE_LIMIT
-    for camera in orthographic perspective; do
-        limit $camera data 0
-        limit $camera bss 0
-        limit $camera context $CONTEXT_LIMIT
-        for call in $RAYS_CALLS; do
-            limit $camera stack_$call $STACK_LIMIT
-        done
-    done
-    limit splats code $SPLATS_LIMIT
-    limit splats data 0
-    limit splats bss 0
-    limit splats context $SPLATS_CONTEXT_LIMIT
-    for call in $SPLATS_CALLS; do
-        limit splats stack_$call $STACK_LIMIT
-    done
-    finish
-}
-
-make -s TARGET=cortex-m0 BUILD="$build" OPTIMISE=-Os \
-    "$out/size_orthographic.elf" "$out/size_perspective.elf" "$out/size_splats.elf" >&2
-measure orthographic "$RAYS_CALLS"
-measure perspective "$RAYS_CALLS"
-measure splats "$SPLATS_CALLS"
-case ${1:-} in
---table) table ;;
---readme) readme ;;
-*) limits ;;
-esac
+make -s size-lines >"$work/lines"
+for target in $(cut -d ' ' -f 1 "$work/lines" | uniq); do
+    check "$target: no figure is more than 1 % above $table" compared "$target"
+    limit "$target" everything 0 $RAM ".data and .bss"
+    case $target in
+    wasm32 | host-gcc) continue ;;
+    avr) stack=$STACK_AVR ;;
+    *) stack=$STACK_32 ;;
+    esac
+    limit "$target" minimal $CONTEXT $KEPT context
+    limit "$target" library "$stack" $STACK stack
+done
+limit cortex-m0 minimal $MINIMAL_M0 $FLASH flash
+limit cortex-m0 perspective $PERSPECTIVE_M0 $FLASH flash
+limit rv32ec minimal $MINIMAL_RV32EC $FLASH flash
+limit avr minimal $MINIMAL_AVR $FLASH flash
+limit cortex-m0 everything $EVERYTHING_M0 $FLASH flash
+finish

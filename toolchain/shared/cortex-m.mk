@@ -11,9 +11,13 @@ TARGET_PORT_FOLDER := port/cortex-m
 TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 
 # Marches (core/march.h): of a header, with what it needs in assembly.
-TARGET_MARCH ?= thumb2.h
-ifeq ($(TARGET_MARCH),thumb2.h)
-TARGET_MARCH_SOURCES := port/cortex-m/march_thumb2.S
-endif
+TARGET_MARCH ?= thumb.h
+TARGET_MARCH_SOURCES ?= port/cortex-m/march_thumb2.S
+
+# Sampling of associated colours in assembly (core/preweighted.h).
+TARGET_PASSAGE ?= passage_v7m.h
 
 include toolchain/shared/firmware.mk
+
+# What its assembly computes beside what C does.
+TARGET_FIRMWARE += passages

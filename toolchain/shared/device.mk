@@ -20,12 +20,12 @@ COUNT_PLUGIN := $(BUILD)/emulator/count.so
 AVR_SIMULATOR := $(BUILD)/emulator/avr
 
 # Sources of each firmware beside the port and the library.
-FIRMWARE_size_orthographic := $(addprefix port/cortex-m/,firmware_size.c firmware_size_orthographic.c)
-FIRMWARE_size_perspective := $(addprefix port/cortex-m/,firmware_size.c firmware_size_perspective.c)
-FIRMWARE_size_splats := port/cortex-m/firmware_size_splats.c
-FIRMWARE_bench := tests/bench/bench_device.c
+TARGET_BENCH_MODES ?= tests/bench/bench_modes.c
+FIRMWARE_bench := tests/bench/bench_device.c $(TARGET_BENCH_MODES)
+FIRMWARE_float := tests/bench/float_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_marches := tests/device/marches.c
+FIRMWARE_passages := tests/device/passages.c
 FIRMWARE_blends := tests/bench/blends_device.c
 TARGET_BALL ?= port/ball_flash.c
 BALL_IN_FLASH := $(TARGET_BALL) port/ball.c
@@ -59,6 +59,8 @@ DEVICE_CFLAGS = -std=c99 $(WARNINGS) -MMD -MP $(TARGET_CFLAGS) $(MARCH_CFLAGS) $
 	-Icore -Ifixedpoint -Iport -I$(TARGET_PORT_FOLDER) -I$(OUT)
 DEVICE_OBJECTS := $(TARGET_PORT:%.c=$(OUT)/%.o)
 DEVICE_OPTIONS := $(call remember,$(OUT)/device-options,$(TARGET_CC) $(DEVICE_CFLAGS) $(TARGET_LDFLAGS))
+
+include tests/size/size.mk
 
 # Objects of sources in the tree, and of generated ones, which lie in $(OUT).
 objects = $(patsubst %.c,$(OUT)/%.o,$(1:$(OUT)/%=%))

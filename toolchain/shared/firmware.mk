@@ -22,4 +22,4 @@ TARGET_COUNT = -plugin $(COUNT_PLUGIN),out=
 # Levels of optimisation that the golden scenes are tested at.
 TARGET_LEVELS ?= -Os -O2
 
-TARGET_FIRMWARE := bench functions blends ball pages freevoxels size_orthographic size_perspective size_splats
+TARGET_FIRMWARE := bench float functions blends ball pages freevoxels

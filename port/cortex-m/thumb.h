@@ -1,39 +1,40 @@
 /*
- * thumb2.h - marches in assembly (QV_MARCH_HEADER) for cores with Thumb-2: opacity-weighted
- * samples of 8-bit entries. See march_thumb2.S.
+ * thumb.h - marches in assembly (QV_MARCH_HEADER): opacity-weighted samples of 8-bit entries.
+ * All of them for cores with Thumb-2, march_thumb2.S; of RGBA8 from front to back for those
+ * without, march_thumb1.S.
  */
-#ifndef THUMB2_H
-#define THUMB2_H
+#ifndef THUMB_H
+#define THUMB_H
 
 /* An axis of a walk. */
-typedef struct thumb2_axis {
+typedef struct thumb_axis {
     uint32_t place[2], advance[2]; /* of qv_ray, the lower words first */
     uint32_t last;                 /* index of the last voxel */
     int32_t stride;
-} thumb2_axis;
+} thumb_axis;
 
 /* What the assembly walks through, word by word in this order. */
-typedef struct thumb2_walk {
+typedef struct thumb_walk {
+    qv_address palette;
+    uint32_t skipped;
     uint32_t colour[3]; /* of qv_light */
     uint32_t taken;     /* the complement of its transmittance */
     uint32_t samples;   /* that remain */
     uint32_t enough;    /* transmittance below which the ray ends, from front to back */
-    thumb2_axis x;
+    thumb_axis x;
     qv_address voxels;
-    thumb2_axis y, z;
+    thumb_axis y, z;
     uint32_t weights[6]; /* its own */
-    qv_address palette;
-    uint32_t skipped;
-} thumb2_walk;
+} thumb_walk;
 
 /* Take samples, of which there is at least one, until none remain or light is enough. */
-void thumb2_march_rgba8(thumb2_walk *walk);
-void thumb2_march_back_rgba8(thumb2_walk *walk);
-void thumb2_march_indexed8(thumb2_walk *walk);
-void thumb2_march_back_indexed8(thumb2_walk *walk);
+void thumb_march_rgba8(thumb_walk *walk);
+void thumb_march_back_rgba8(thumb_walk *walk);
+void thumb_march_indexed8(thumb_walk *walk);
+void thumb_march_back_indexed8(thumb_walk *walk);
 
-FX_INLINE void thumb2_axis_of(thumb2_axis *of, const qv_ray *ray, const qv_volume *volume,
-                              unsigned axis)
+FX_INLINE void thumb_axis_of(thumb_axis *of, const qv_ray *ray, const qv_volume *volume,
+                             unsigned axis)
 {
     uint64_t place = (uint64_t)ray->place[axis], advance = (uint64_t)ray->advance[axis];
     of->place[0] = (uint32_t)place;
@@ -44,8 +45,8 @@ FX_INLINE void thumb2_axis_of(thumb2_axis *of, const qv_ray *ray, const qv_volum
     of->stride = volume->stride[axis];
 }
 
-FX_INLINE void thumb2_set_out(thumb2_walk *walk, const qv_light *light, const qv_ray *ray,
-                              const qv_context *context)
+FX_INLINE void thumb_set_out(thumb_walk *walk, const qv_light *light, const qv_ray *ray,
+                             const qv_context *context)
 {
     const qv_volume *volume = &context->scene.volume;
     for (unsigned c = 0; c < 3; c++)
@@ -53,40 +54,53 @@ FX_INLINE void thumb2_set_out(thumb2_walk *walk, const qv_light *light, const qv
     walk->taken = ~light->transmittance;
     walk->samples = ray->samples;
     walk->enough = ((uint32_t)context->scene.termination << 15) + 1u; /* Q0.16 to Q1.31 */
-    thumb2_axis_of(&walk->x, ray, volume, 0);
-    thumb2_axis_of(&walk->y, ray, volume, 1);
-    thumb2_axis_of(&walk->z, ray, volume, 2);
+    thumb_axis_of(&walk->x, ray, volume, 0);
+    thumb_axis_of(&walk->y, ray, volume, 1);
+    thumb_axis_of(&walk->z, ray, volume, 2);
     walk->voxels = volume->voxels;
     walk->palette = volume->palette;
     walk->skipped = light->skipped;
 }
 
-FX_INLINE void thumb2_walk_through(thumb2_walk *walk, unsigned storage, int back)
+FX_INLINE void thumb_walk_through(thumb_walk *walk, unsigned storage, int back)
 {
     if (qv_storage_indexed(storage) && back)
-        thumb2_march_back_indexed8(walk);
+        thumb_march_back_indexed8(walk);
     else if (qv_storage_indexed(storage))
-        thumb2_march_indexed8(walk);
+        thumb_march_indexed8(walk);
     else if (back)
-        thumb2_march_back_rgba8(walk);
+        thumb_march_back_rgba8(walk);
     else
-        thumb2_march_rgba8(walk);
+        thumb_march_rgba8(walk);
+}
+
+/* Whether there is assembly for it. */
+FX_INLINE int thumb_marches(unsigned storage, qv_taking *mode, int back)
+{
+    if (mode != qv_take_weighted)
+        return 0;
+#if __ARM_ARCH_ISA_THUMB >= 2
+    (void)back;
+    return qv_channel_bytes(storage) == 1;
+#else
+    return storage == QV_STORAGE_RGBA8 && !back;
+#endif
 }
 
 /* The ray is left where it was clipped: nobody looks where it stands. */
 FX_INLINE int qv_march_twin(qv_light *light, qv_ray *ray, const qv_context *context,
                             unsigned storage, qv_taking *mode, int back)
 {
-    thumb2_walk walk;
-    if (mode != qv_take_weighted || qv_channel_bytes(storage) != 1)
+    thumb_walk walk;
+    if (!thumb_marches(storage, mode, back))
         return 0;
     qv_ray_clip(ray, context);
     if (ray->samples == 0)
         return 1;
     if (back)
         qv_reverse(ray);
-    thumb2_set_out(&walk, light, ray, context);
-    thumb2_walk_through(&walk, storage, back);
+    thumb_set_out(&walk, light, ray, context);
+    thumb_walk_through(&walk, storage, back);
     for (unsigned c = 0; c < 3; c++)
         light->colour[c] = walk.colour[c];
     light->transmittance = ~walk.taken;
@@ -96,4 +110,4 @@ FX_INLINE int qv_march_twin(qv_light *light, qv_ray *ray, const qv_context *cont
     return 1;
 }
 
-#endif /* THUMB2_H */
+#endif /* THUMB_H */

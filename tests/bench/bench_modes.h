@@ -1,0 +1,19 @@
+/*
+ * bench_modes.h - what bench_device.c measures, one after the other: every mode of sampling, or
+ * as many as the flash of a small device holds.
+ */
+#ifndef BENCH_MODES_H
+#define BENCH_MODES_H
+
+#include "qvol.h"
+
+typedef struct bench_mode {
+    const char *storage;
+    const char *name;
+    const qv_sampling *sampling;
+} bench_mode;
+
+extern const bench_mode bench_modes[];
+extern const unsigned bench_mode_count;
+
+#endif /* BENCH_MODES_H */

@@ -1,0 +1,7 @@
+/*
+ * configuration_freevoxels.c - the ray caster, and FreeVoxels.
+ */
+#include "size.h"
+
+size_use *const size_uses[] = {use_classification, use_orthographic, use_perspective,
+                               use_progress,       use_freevoxels,   NULL};
