@@ -125,8 +125,8 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
     {                                                                                              \
         return qv_look_at_level(sample, ray, subject, which, storage, family);                     \
     }                                                                                              \
-    FX_INLINE int look_##suffix(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,   \
-                                unsigned of, const qv_family *by)                                  \
+    static int look_##suffix(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,      \
+                             unsigned of, const qv_family *by)                                     \
     {                                                                                              \
         (void)by;                                                                                  \
         return qv_look_at_levels(sample, ray, subject, of, indices_##suffix, entries_##suffix);    \

@@ -1,7 +1,6 @@
 #include "stretch.h"
 
 #include "fx_bits.h"
-#include "fx_inline.h"
 
 #define QUOTIENT_BITS 23u
 #define FARTHEST      (QV_GRID_LIMIT * QV_STEP)
@@ -124,7 +123,7 @@ static qv_coord part_of(qv_coord advance, uint32_t part)
 /* Puts a ray to the middle of a run, in voxels of the level. The way there is below 2^23
    steps of at most 2^8 voxels, and the point lies in the box. 2^level steps are as many voxels
    of the level as a step is of the volume. */
-static FX_NOINLINE void place_ray(qv_ray *ray, const qv_run *run, unsigned level)
+static void place_ray(qv_ray *ray, const qv_run *run, unsigned level)
 {
     int32_t whole = (int32_t)fx_shift_floor(run->middle, QV_STEP_BITS);
     uint32_t part = (uint32_t)run->middle & (uint32_t)(QV_STEP - 1);
