@@ -5,5 +5,4 @@ TARGET_BOARD := mps3-an547
 TARGET_CPU := -march=armv8.1-m.main+mve -mthumb -mfloat-abi=hard
 TARGET_MARCH := helium.h
 TARGET_MARCH_SOURCES := port/cortex-m/march_helium.S
-TARGET_MARCH_SOURCES :=
 include toolchain/shared/cortex-m.mk
