@@ -11,7 +11,7 @@ TARGET_PORT_FOLDER := port/cortex-m
 TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 
 # Marches (core/march.h): of a header, with what it needs in assembly.
-TARGET_MARCH ?= thumb.h
+TARGET_MARCH ?= march_walk.h
 TARGET_MARCH_SOURCES ?= port/cortex-m/march_thumb2.S
 
 # Sampling of associated colours in assembly (core/preweighted.h).
