@@ -215,7 +215,7 @@ lint: ## layout, static analysis, shell scripts
 	cppcheck --std=c99 --quiet --error-exitcode=1 --enable=warning,portability,performance \
 		--inline-suppr --suppress=missingIncludeSystem -UQV_MEMORY_HEADER -UFX_TABLE_HEADER -UQV_MARCH_HEADER \
 		-Icore -Ifixedpoint core fixedpoint
-	shellcheck -S warning toolchain/setup toolchain/demo toolchain/dist tests/run $$(find tests port -name '*.sh') .ci/run
+	shellcheck -S warning toolchain/setup toolchain/demo toolchain/emulate toolchain/dist tests/run $$(find tests port -name '*.sh') .ci/run
 
 readme: ## write the figures of README.md anew
 	tests/bench/readme.sh

@@ -375,10 +375,13 @@ extern const qv_sampling qv_weighted_indexed8_back_to_front, qv_weighted_indexed
  *           v11| of the rows along x), and not in places where they are linear in y or z.
  *
  * Sums have 16 bits, transmittance and light 32, of which products read the upper 16: a ray's
- * transmittance is within 2^-14 of that of its samples, and light never above the opacity.
- * Opacity 0 is clear, 255 opaque; no fog is too thin to add up. Sampled are the points of
- * weighted; a sample is skipped whose opacity comes out as 0. A colour above its opacity gives
- * colours that mean nothing. Along rows of the box's outermost half voxel samples cost more.
+ * transmittance and light are within 2^-15 of those of its samples, and light is never above the
+ * opacity. On rays that stay at a fraction f of a voxel on x, 2^-16 / min(f, 1 - f) comes to that:
+ * 1 level of 255 at most, 1/128 level in the middle. On 200 random scenes pictures are within 1
+ * level of exact for the same voxels, 99 % of all channels equal (weighted: 99.99 %).
+ * Opacity 0 is clear, 255 opaque; a constant fog is never too thin to add up. Sampled are the
+ * points of weighted; a sample is skipped whose opacity comes out as 0. A colour above its opacity
+ * gives colours that mean nothing. Samples in the outermost half voxel of the box cost more.
  */
 extern const qv_sampling qv_preweighted_associated8, qv_preweighted_associated8_back_to_front;
 
@@ -1134,7 +1137,8 @@ qv_status qv_extinction_to_extinction(void *to, size_t bytes, uint8_t storage, u
  *
  * What is lost: at an opacity of a of 255 a colour has a + 1 levels instead of 256, so that it is
  * off by up to 1/2 * 255/a of its own levels (Wittenbrink et al. 1998, section 7). A picture shows
- * it multiplied by the opacity again, 1/2 level a sample at most; many thin samples add up.
+ * it multiplied by the opacity again, 1/2 level a sample at most; many thin samples add up, to 36
+ * levels in the worst of 200 random scenes.
  * Returns QV_OK or QV_ERROR_NULL, _STORAGE (of the source), _STRIDE (16-bit source at an odd
  * address), _BUFFER.
  */

@@ -79,7 +79,7 @@ static qv_offset step_of(const qv_passage *passage, const qv_ray *ray)
     return step;
 }
 
-/* Finds the ray's next passage, and moves the ray on behind it. The ray's last sample is at `end`. */
+/* Finds the ray's next passage, and moves the ray on behind it. Its last sample is at `end`. */
 static void begin(qv_passage *passage, qv_ray *ray, const qv_coord end[3], const qv_volume *volume)
 {
     qv_cell cell;

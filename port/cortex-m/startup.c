@@ -28,16 +28,16 @@ __attribute__((section(".vectors"), used)) static const vector_table vectors = {
     .stack_top = link_stack_top,
     .handler =
         {
-            [0] = reset_handler,   /* 1 reset */
-            [1] = fault_handler,   /* 2 non-maskable interrupt */
-            [2] = fault_handler,   /* 3 hard fault */
-            [3] = fault_handler,   /* 4 memory management */
-            [4] = fault_handler,   /* 5 bus fault */
-            [5] = fault_handler,   /* 6 usage fault */
-            [10] = fault_handler,  /* 11 supervisor call */
-            [11] = fault_handler,  /* 12 debug monitor */
-            [13] = fault_handler,  /* 14 pended service */
-            [14] = fault_handler   /* 15 system timer */
+            [0] = reset_handler,  /* 1 reset */
+            [1] = fault_handler,  /* 2 non-maskable interrupt */
+            [2] = fault_handler,  /* 3 hard fault */
+            [3] = fault_handler,  /* 4 memory management */
+            [4] = fault_handler,  /* 5 bus fault */
+            [5] = fault_handler,  /* 6 usage fault */
+            [10] = fault_handler, /* 11 supervisor call */
+            [11] = fault_handler, /* 12 debug monitor */
+            [13] = fault_handler, /* 14 pended service */
+            [14] = fault_handler  /* 15 system timer */
         },
 };
 

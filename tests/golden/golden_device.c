@@ -14,8 +14,8 @@
 #define GOLDEN_DEVICE_WAYS GOLDEN_WAYS
 #endif
 
-/* Voxels of 16 bits want an even address, which an AVR gives no type by itself. */
-static golden_memory memory __attribute__((aligned(2)));
+/* As the storages of voxels want it; an AVR aligns no type by itself. */
+static golden_memory memory __attribute__((aligned(4)));
 static golden_scene golden;
 
 static void render(golden_way way)

@@ -234,7 +234,6 @@ typedef qv_status golden_change(qv_scene *scene, struct golden_memory *memory);
 
 /* All that a scene's data needs. */
 typedef struct golden_memory {
-    golden_change *change; /* null: nothing */
     qv_transfer table;
     uint8_t palette[QV_PALETTE_ENTRIES][4];
     uint16_t scalars[GOLDEN_SCALARS];        /* once they are classified, the coarser levels */
@@ -242,6 +241,7 @@ typedef struct golden_memory {
     uint32_t sums[2][GOLDEN_SUMS];           /* before the first splat, of blocks */
     uint8_t pixels[GOLDEN_PIXEL_BYTES];
     qv_pyramid pyramid;
+    golden_change *change; /* null: nothing */
 } golden_memory;
 
 /* Fills the memory from the seed and describes the volume. A negative status
