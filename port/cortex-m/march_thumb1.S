@@ -5,9 +5,11 @@
  *
  *     void walk_march_rgba8(march_walk *walk);
  *
- * r0 walks through what march_walk.h lays out: it is at the x axis where a sample begins. On the stack
- * lie seven weights, in the order of STACK_W1 and so on, and the walk.
+ * r0 walks through what march_walk.h lays out: it is at the x axis where a sample begins. On the
+ * stack lie seven weights, in the order of STACK_W1 and so on, and the walk.
  */
+#if defined(__thumb__) && !defined(__thumb2__) /* packages hand this file to every processor */
+
         .syntax unified
         .thumb
 
@@ -268,3 +270,9 @@ walk_march_rgba8:
         mov     r11, r7
         pop     {r4-r7, pc}
         .size   walk_march_rgba8, . - walk_march_rgba8
+
+#endif
+
+#if defined(__ELF__) && defined(__linux__)
+        .section .note.GNU-stack, "", %progbits
+#endif
