@@ -42,7 +42,7 @@ LIBRARY_SOURCES := $(sort $(wildcard core/*.c fixedpoint/*.c))
 # Marches of the target's own, see core/march.h; make MARCH= TARGET=... does with those in C.
 MARCH ?= $(TARGET_MARCH)
 ifneq ($(MARCH),)
-MARCH_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
+MARCH_CFLAGS := -Iport -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
 MARCH_OBJECTS := $(TARGET_MARCH_SOURCES:%.S=$(OUT)/%.o)
 endif
 # Passages likewise, see core/preweighted.h; make PASSAGE= TARGET=...
