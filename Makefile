@@ -193,7 +193,7 @@ endif
 
 .PHONY: dist amalgamation
 dist: amalgamation ## a package for each ecosystem below build/dist/
-	@toolchain/dist $(DIST) $(LIBRARY_SOURCES)
+	@toolchain/dist $(DIST) $(LIBRARY_SOURCES) $(wildcard port/*/march_*.S)
 
 amalgamation: $(AMALGAMATION) ## the library as one header and one source: build/dist/amalgamation/
 

@@ -20,6 +20,7 @@ typedef struct qv_fragment {
 typedef struct qv_moment {
     uint32_t u;                    /* dither value */
     uint32_t phase;                /* of the slice in the period; of techniques, as alpha is */
+    uint32_t slice_u, slice_phase; /* those of pixels that are not shifted */
     fx_alpha alpha;                /* what equation 9 goes by */
     const qv_technique *technique; /* null for blends that want none */
     uint32_t opacity;              /* what it makes of the fragment's: 0 .. 255 */
@@ -64,12 +65,13 @@ static inline uint32_t qv_dither_step(int spread)
     return spread ? FX_LATTICE_X : 0;
 }
 
-/* Shifts the moment of a slice to a pixel of dither value u; its technique is the same. */
-static inline void qv_moment_at(qv_moment *pixel, const qv_moment *slice, uint32_t u)
+/* Shifts the moment of a slice to a pixel of dither value u. */
+static inline void qv_moment_at(qv_moment *moment, uint32_t u)
 {
-    pixel->u = u;
-    if (slice->technique)
-        pixel->phase = qv_phase_shifted(&slice->alpha.period, slice->phase, u - slice->u);
+    moment->u = u;
+    if (moment->technique)
+        moment->phase =
+            qv_phase_shifted(&moment->alpha.period, moment->slice_phase, u - moment->slice_u);
 }
 
 /* Finds the opacity of a moment with a technique, for a fragment in front of a pixel. */

@@ -93,10 +93,41 @@ FX_INLINE int qv_rows_any(const qv_rows *rows, const qv_volume *volume, unsigned
     return 0;
 }
 
+FX_INLINE uint32_t qv_larger(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* The largest opacity of the 27 voxels. */
+FX_INLINE uint32_t qv_rows_most(const qv_rows *rows, const qv_volume *volume, unsigned storage)
+{
+    uint32_t most = 0;
+    for (unsigned row = 0; row < 9; row++) {
+        uint32_t a = qv_opacity_bits(qv_rows_entry(rows, row, 0, volume, storage), storage);
+        uint32_t b = qv_opacity_bits(qv_rows_entry(rows, row, 1, volume, storage), storage);
+        uint32_t c = qv_opacity_bits(qv_rows_entry(rows, row, 2, volume, storage), storage);
+        if ((a | b | c) != 0)
+            most = qv_larger(qv_larger(most, a), qv_larger(b, c));
+    }
+    return most;
+}
+
+/*
+ * Adds a voxel of a row. Extinctions of stored opacities are times 2^scale, which takes the
+ * largest to 2^29 or more, as in qv_densities: no array of 27 is kept of them.
+ */
+FX_INLINE void qv_add_of_row(qv_sample *sum, fx_weight weight, qv_address entry, unsigned storage,
+                             qv_factor factor)
+{
+    fx_density density = fx_density_of(0);
+    if (factor == QV_BY_DENSITY)
+        density = fx_density_of(qv_density(entry, storage) << sum->scale);
+    qv_add_voxel(sum, weight, entry, &density, storage, factor);
+}
+
 /* The sums over all voxels, each with its part of 1. */
 FX_INLINE void qv_add_rows(qv_sample *sum, const qv_rows *rows, const qv_triple triple[3],
-                           const fx_density density[QV_BSPLINE_TAPS], const qv_volume *volume,
-                           unsigned storage, qv_factor factor)
+                           const qv_volume *volume, unsigned storage, qv_factor factor)
 {
     fx_weight slice[3], row[3], voxel[3];
     qv_part_one(slice, &triple[2]);
@@ -104,27 +135,29 @@ FX_INLINE void qv_add_rows(qv_sample *sum, const qv_rows *rows, const qv_triple 
         qv_part(row, slice[k], &triple[1]);
         for (unsigned j = 0; j < 3; j++) {
             unsigned number = 3u * k + j;
-            const fx_density *own = density + 3u * number;
             qv_part(voxel, row[j], &triple[0]);
-            qv_add_voxel(sum, voxel[0], qv_rows_entry(rows, number, 0, volume, storage), own,
-                         storage, factor);
-            qv_add_voxel(sum, voxel[1], qv_rows_entry(rows, number, 1, volume, storage), own + 1,
-                         storage, factor);
-            qv_add_voxel(sum, voxel[2], qv_rows_entry(rows, number, 2, volume, storage), own + 2,
-                         storage, factor);
+            qv_add_of_row(sum, voxel[0], qv_rows_entry(rows, number, 0, volume, storage), storage,
+                          factor);
+            qv_add_of_row(sum, voxel[1], qv_rows_entry(rows, number, 1, volume, storage), storage,
+                          factor);
+            qv_add_of_row(sum, voxel[2], qv_rows_entry(rows, number, 2, volume, storage), storage,
+                          factor);
         }
     }
 }
 
-/* Extinctions of stored opacities, as qv_densities has them. */
-FX_INLINE unsigned qv_rows_densities(fx_density density[QV_BSPLINE_TAPS], const qv_rows *rows,
-                                     const qv_volume *volume, unsigned storage)
+/* Whether there is anything to see; and the scale of extinctions of stored opacities. */
+FX_INLINE int qv_rows_begin(qv_sample *sum, const qv_rows *rows, const qv_volume *volume,
+                            unsigned storage, qv_factor factor)
 {
-    qv_address entry[QV_BSPLINE_TAPS];
-    for (unsigned row = 0; row < 9; row++)
-        for (unsigned i = 0; i < 3; i++)
-            entry[3u * row + i] = qv_rows_entry(rows, row, i, volume, storage);
-    return qv_densities(density, entry, QV_BSPLINE_TAPS, storage);
+    sum->scale = 0;
+    if (factor != QV_BY_DENSITY)
+        return qv_rows_any(rows, volume, storage);
+    uint32_t most = qv_rows_most(rows, volume, storage);
+    if (most == 0)
+        return 0;
+    sum->scale = fx_leading_zeros(qv_density_of(most, storage)) - 2u; /* it is below 2^30 */
+    return 1;
 }
 
 FX_INLINE int qv_bspline(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
@@ -132,19 +165,17 @@ FX_INLINE int qv_bspline(qv_sample *sample, const qv_ray *ray, const qv_volume *
 {
     qv_triple triple[3];
     qv_rows rows;
-    fx_density density[QV_BSPLINE_TAPS];
-    for (unsigned axis = 0; axis < 3; axis++)
-        qv_triple_locate(&triple[axis], volume->size[axis], (qv_offset)volume->stride[axis], ray,
-                         axis);
+    qv_sample sum; /* where no other store reaches it */
+    qv_triple_locate(&triple[0], volume->size[0], (qv_offset)volume->stride[0], ray, 0);
+    qv_triple_locate(&triple[1], volume->size[1], (qv_offset)volume->stride[1], ray, 1);
+    qv_triple_locate(&triple[2], volume->size[2], (qv_offset)volume->stride[2], ray, 2);
     qv_rows_locate(&rows, triple, volume);
-    if (!qv_rows_any(&rows, volume, storage))
+    if (!qv_rows_begin(&sum, &rows, volume, storage, factor))
         return 0;
-    sample->scale =
-        factor == QV_BY_DENSITY ? qv_rows_densities(density, &rows, volume, storage) : 0u;
-    sample->opacity = fx_share_of(0);
-    for (unsigned c = 0; c < 3; c++)
-        sample->light[c] = fx_sum_of(0);
-    qv_add_rows(sample, &rows, triple, density, volume, storage, factor);
+    sum.opacity = fx_share_of(0);
+    sum.light[0] = sum.light[1] = sum.light[2] = fx_sum_of(0);
+    qv_add_rows(&sum, &rows, triple, volume, storage, factor);
+    *sample = sum;
     return 1;
 }
 

@@ -43,7 +43,7 @@ qv_status qv_clear(const qv_buffer *buffer, const qv_context *context, const qv_
 qv_status qv_combine(const qv_buffer *behind, const qv_buffer *front, const qv_dither *dither,
                      const qv_rect *rect, int32_t slice)
 {
-    qv_moment of_slice;
+    qv_moment moment;
     qv_status status = qv_buffer_check(behind, rect);
     if (status == QV_OK)
         status = QV_FIELD(behind->blend, kind) == QV_UNDER ? QV_ERROR_BUFFER
@@ -54,19 +54,18 @@ qv_status qv_combine(const qv_buffer *behind, const qv_buffer *front, const qv_d
         return status;
     qv_dither of_picture = *dither;
     of_picture.technique = &qv_technique_rounded; /* what techniques do was done when it was made */
-    status = qv_moment_of(&of_slice, &of_picture, behind->blend, slice);
+    status = qv_moment_of(&moment, &of_picture, behind->blend, slice);
     if (status != QV_OK)
         return status;
-    qv_moment moment = of_slice;
-    uint32_t step = qv_dither_step(of_slice.spread);
+    uint32_t step = qv_dither_step(moment.spread);
     unsigned width = (unsigned)(rect->right - rect->left);
     unsigned height = (unsigned)(rect->bottom - rect->top);
     for (unsigned line = 0; line < height; line++) {
-        qv_place place = qv_place_of(behind, &of_slice, rect, line);
+        qv_place place = qv_place_of(behind, &moment, rect, line);
         for (unsigned column = 0; column < width; column++) {
             qv_fragment fragment;
             qv_buffer_read(&fragment, front, column, line);
-            qv_place_blend(&place, behind->blend, &fragment, &moment, &of_slice);
+            qv_place_blend(&place, behind->blend, &fragment, &moment);
             qv_place_next(&place, behind->blend, step);
         }
     }

@@ -48,7 +48,7 @@ static inline qv_place qv_place_of(const qv_buffer *buffer, const qv_moment *sli
 {
     uint32_t shift = qv_dither_shift(slice->spread, rect->left, rect->top + (int32_t)line);
     qv_place place = {qv_buffer_pixel(buffer, 0, line), qv_buffer_beside(buffer, 0, line),
-                      slice->u + shift};
+                      slice->slice_u + shift};
     if (QV_FIELD(buffer->blend, beside) == 0)
         place.beside = place.pixel;
     return place;
@@ -62,13 +62,12 @@ static inline void qv_place_next(qv_place *place, const qv_blend *blend, uint32_
     place->u += step;
 }
 
-/* Blends a fragment into a pixel, whose moment is made of that of the slice. */
+/* Blends a fragment into a pixel, to which the moment of the slice is shifted. */
 static inline void qv_place_blend(const qv_place *place, const qv_blend *blend,
-                                  const qv_fragment *fragment, qv_moment *moment,
-                                  const qv_moment *slice)
+                                  const qv_fragment *fragment, qv_moment *moment)
 {
-    qv_moment_at(moment, slice, place->u);
-    if (slice->technique)
+    qv_moment_at(moment, place->u);
+    if (moment->technique)
         qv_moment_opacity(moment, blend, place->pixel, fragment);
     QV_FIELD(blend, blend)(place->pixel, place->beside, fragment, moment);
 }

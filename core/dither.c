@@ -155,5 +155,7 @@ qv_status qv_moment_of(qv_moment *moment, const qv_dither *dither, const qv_blen
     if (!rounds)
         moment->u = fx_dither_at(moment->u, 0, 0, dither->frame);
     set_pattern(moment, dither, number);
+    moment->slice_u = moment->u;
+    moment->slice_phase = moment->phase;
     return QV_OK;
 }

@@ -34,16 +34,27 @@ void qv_span_begin(qv_span *span, const qv_ray *ray, const qv_scene *scene);
 /* Sets the share of the coarser level, and its rise, for a run taken from the span. */
 void qv_span_blend(qv_span *span, const qv_run *run);
 
-/* Two neighbouring levels as volumes. */
+/* What sampling reads of a level: a part of its volume, as rays keep two. */
+typedef struct qv_level {
+    qv_address voxels;
+    int32_t stride[3];
+    uint16_t size[3];
+} qv_level;
+
+/* Two neighbouring levels. */
 typedef struct qv_levels {
-    qv_volume volume[2];
+    qv_level level[2];
     unsigned finer; /* number of the first; QV_NO_LEVEL at the start */
 } qv_levels;
 
 #define QV_NO_LEVEL 255u
 
-/* Makes the levels those of a span. The second is only described where it exists. */
-void qv_levels_describe(qv_levels *levels, unsigned finer, const qv_scene *scene);
+/*
+ * The next run of a ray in the span that it lies in, and the two levels there. Returns 0 where the
+ * ray is done.
+ */
+int qv_next_run_of_levels(qv_span *span, qv_levels *levels, qv_run *run, qv_ray *ray,
+                          const qv_scene *scene);
 
 /* Whether the scene has a pyramid, and the level is one of its. QV_OK, QV_ERROR_LEVEL or
    an error of qv_pyramid_check. */

@@ -10,16 +10,17 @@
 #include "families.h"
 #include "stretch.h"
 
-FX_INLINE void qv_advance_run(qv_run *run)
+FX_INLINE void qv_advance_run(qv_run *run, qv_ray *ray)
 {
-    run->ray.samples--;
+    run->samples--;
     for (unsigned axis = 0; axis < 3; axis++)
-        run->ray.place[axis] += run->ray.advance[axis];
+        ray->place[axis] += ray->advance[axis];
 }
 
-/* What a ray looks at: one volume, or two levels of a span. */
+/* What a ray looks at: the volume of a scene, or two levels of a span. */
 typedef struct qv_subject {
-    const qv_volume *volume[2];
+    const qv_volume *volume;
+    const struct qv_levels *levels;
     struct qv_span *span;
 } qv_subject;
 
@@ -30,7 +31,7 @@ typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_subject *subj
 FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
                                 unsigned storage, const qv_family *family)
 {
-    return family->mode(sample, ray, subject->volume[0], storage);
+    return family->mode(sample, ray, subject->volume, storage);
 }
 
 /*
@@ -44,16 +45,16 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
     uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_medium medium;
     qv_medium_scale(&medium, &context->medium, run->length);
-    ray->samples -= run->ray.samples;
-    for (; run->ray.samples != 0; qv_advance_run(run)) {
+    ray->samples -= run->samples;
+    for (; run->samples != 0; qv_advance_run(run, ray)) {
         qv_sample sample;
-        if (!look(&sample, &run->ray, subject, storage, family)) {
+        if (!look(&sample, ray, subject, storage, family)) {
             light->skipped++;
             continue;
         }
         family->under(light, gathered, &sample, &medium, storage);
         if (light->transmittance <= enough) {
-            uint32_t rest = run->ray.samples - 1u;
+            uint32_t rest = run->samples - 1u;
             ray->samples += rest;
             light->terminated = rest != 0 || ray->enter < ray->leave;
             return 0;
@@ -62,36 +63,37 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
     return 1;
 }
 
+/* Through the pieces of a ray that was clipped. */
 FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *context,
-                                unsigned storage, const qv_family *family)
+                                unsigned storage, const qv_family *family, qv_look *look)
 {
-    const qv_subject subject = {{&context->scene.volume, 0}, 0};
+    const qv_subject subject = {&context->scene.volume, 0, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
-    qv_path_clip(ray, context);
+    qv_run_begin(&run, ray);
     while (qv_next_run(&run, ray, ray->leave, 0) &&
-           qv_march_run(light, &gathered, &run, ray, context, storage, family, qv_look_at_volume,
-                        &subject))
+           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &subject))
         ;
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);
 }
 
-/* Back to front: every piece is taken. */
+/* The same back to front: every piece is taken. */
 FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_context *context,
-                                     unsigned storage, const qv_family *family)
+                                     unsigned storage, const qv_family *family, qv_look *look)
 {
+    const qv_subject subject = {&context->scene.volume, 0, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
-    qv_path_clip(ray, context);
     qv_path_reverse(ray);
+    qv_run_begin(&run, ray);
     while (qv_next_run(&run, ray, ray->leave, 0)) {
         qv_medium medium;
         qv_medium_scale(&medium, &context->medium, run.length);
-        for (; run.ray.samples != 0; qv_advance_run(&run)) {
+        for (; run.samples != 0; qv_advance_run(&run, ray)) {
             qv_sample sample;
             ray->samples--;
-            if (family->mode(&sample, &run.ray, &context->scene.volume, storage))
+            if (look(&sample, ray, &subject, storage, family))
                 family->over(light, &gathered, &sample, &medium, storage);
             else
                 light->skipped++;
@@ -99,18 +101,43 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     }
 }
 
+/* How a family looks at a volume: as part of the loop, or apart from it. */
+#define QV_LOOK(family, look_apart) ((family)->apart ? look_apart : qv_look_at_volume)
+
 /*
  * Defines the sampling mode qv_MODE_SUFFIX of a family for a storage, in both orders.
- * Macros because the descriptors are public names; the code is qv_march_lengths.
+ * Macros because the descriptors are public names; the code is qv_march_lengths. A ray is clipped
+ * before the loop over its pieces has its stack frame.
  */
 #define QV_DEFINE_BY_LENGTH(mode, suffix, prepare, family, read_out, storage)                      \
+    static FX_NOINLINE int look_##suffix(qv_sample *sample, const qv_ray *ray,                     \
+                                         const qv_subject *subject, unsigned of,                   \
+                                         const qv_family *by)                                      \
+    {                                                                                              \
+        (void)of;                                                                                  \
+        (void)by;                                                                                  \
+        return qv_look_at_volume(sample, ray, subject, storage, family);                           \
+    }                                                                                              \
+    static FX_NOINLINE void pieces_##suffix(qv_light *light, qv_ray *ray,                          \
+                                            const qv_context *context)                             \
+    {                                                                                              \
+        qv_march_lengths(light, ray, context, storage, family, QV_LOOK(family, look_##suffix));    \
+    }                                                                                              \
+    static FX_NOINLINE void pieces_back_##suffix(qv_light *light, qv_ray *ray,                     \
+                                                 const qv_context *context)                        \
+    {                                                                                              \
+        qv_march_lengths_back(light, ray, context, storage, family,                                \
+                              QV_LOOK(family, look_##suffix));                                     \
+    }                                                                                              \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
-        qv_march_lengths(light, ray, context, storage, family);                                    \
+        qv_path_clip(ray, context);                                                                \
+        pieces_##suffix(light, ray, context);                                                      \
     }                                                                                              \
     static void march_back_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)       \
     {                                                                                              \
-        qv_march_lengths_back(light, ray, context, storage, family);                               \
+        qv_path_clip(ray, context);                                                                \
+        pieces_back_##suffix(light, ray, context);                                                 \
     }                                                                                              \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix = {prepare, march_##suffix, read_out, storage,  \
                                                       1};                                          \

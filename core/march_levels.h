@@ -39,56 +39,68 @@ FX_INLINE void qv_clear_sample(qv_sample *sample)
     sample->scale = 31;
 }
 
-/* One level: entries stand by themselves above level 0, whatever the volume's storage. */
+/* One axis of where a ray stands on a level, the finer or the one above, and of the level. */
+FX_INLINE void qv_stand_on_level(qv_ray *there, qv_volume *volume, const qv_ray *ray,
+                                 const qv_level *level, unsigned which, unsigned axis)
+{
+    qv_coord place = ray->place[axis];
+    there->place[axis] = which == 0 ? place : fx_shift_floor(place - QV_CENTRED, 1) + QV_CENTRED;
+    volume->stride[axis] = level->stride[axis];
+    volume->size[axis] = level->size[axis];
+}
+
+/* One of the two levels, as entries. Modes read nothing else of a ray and of a volume without
+   a palette; written out, no more than that is kept of both. */
 FX_INLINE int qv_look_at_level(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
                                unsigned which, unsigned storage, const qv_family *family)
 {
-    if (which == 0 && qv_storage_indexed(storage) && subject->span->level == 0)
-        return family->mode(sample, ray, subject->volume[which], storage);
-    return family->mode(sample, ray, subject->volume[which], qv_entry_storage(storage));
+    const qv_level *level = &subject->levels->level[which];
+    qv_volume volume;
+    qv_ray there;
+    volume.voxels = level->voxels;
+    qv_stand_on_level(&there, &volume, ray, level, which, 0);
+    qv_stand_on_level(&there, &volume, ray, level, which, 1);
+    qv_stand_on_level(&there, &volume, ray, level, which, 2);
+    return family->mode(sample, &there, &volume, qv_entry_storage(storage));
 }
+
+/* How two levels are looked at: each apart from the loop, since two are long, and so that the
+   stack holds one of them at a time. */
+typedef int qv_look_apart(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
+                          unsigned which);
 
 /* The finer level, and the coarser where it has a share. */
 FX_INLINE int qv_look_at_levels(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
-                                unsigned storage, const qv_family *family)
+                                unsigned storage, qv_look_apart *indices, qv_look_apart *entries)
 {
     uint32_t share = subject->span->blend;
+    int of_indices = qv_storage_indexed(storage) && subject->span->level == 0;
     qv_sample coarser;
-    qv_ray above;
     qv_clear_sample(sample);
-    int seen = qv_look_at_level(sample, ray, subject, 0, storage, family);
+    int seen = of_indices ? indices(sample, ray, subject, 0) : entries(sample, ray, subject, 0);
     subject->span->blend = share + subject->span->rise;
     if (share == 0)
         return seen;
-    for (unsigned axis = 0; axis < 3; axis++)
-        above.place[axis] = fx_shift_floor(ray->place[axis] - QV_CENTRED, 1) + QV_CENTRED;
     qv_clear_sample(&coarser);
-    seen |= qv_look_at_level(&coarser, &above, subject, 1, storage, family);
+    seen |= entries(&coarser, ray, subject, 1);
     if (!seen)
         return 0;
     qv_blend_samples(sample, &coarser, share);
     return 1;
 }
-
 FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *context,
-                               unsigned storage, const qv_family *family)
+                               unsigned storage, const qv_family *family, qv_look *look)
 {
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_levels levels;
     qv_span span;
     qv_run run;
-    const qv_subject subject = {{&levels.volume[0], &levels.volume[1]}, &span};
-    int more = 1;
+    const qv_subject subject = {&context->scene.volume, &levels, &span};
     levels.finer = QV_NO_LEVEL;
-    for (qv_path_clip(ray, context); more;) {
-        qv_span_begin(&span, ray, &context->scene);
-        if (!qv_next_run(&run, ray, span.end, span.level))
-            break;
-        qv_span_blend(&span, &run);
-        qv_levels_describe(&levels, span.level, &context->scene);
-        more = qv_march_run(light, &gathered, &run, ray, context, storage, family,
-                            qv_look_at_levels, &subject);
-    }
+    qv_run_begin(&run, ray);
+    while (qv_next_run_of_levels(&span, &levels, &run, ray, &context->scene) &&
+           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &subject))
+        ;
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);
 }
@@ -102,9 +114,32 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
             status = qv_medium_##kind(&context->medium, scene, scene->pyramid->levels);            \
         return status;                                                                             \
     }                                                                                              \
+    static FX_NOINLINE int indices_##suffix(qv_sample *sample, const qv_ray *ray,                  \
+                                            const qv_subject *subject, unsigned which)             \
+    {                                                                                              \
+        (void)which;                                                                               \
+        return qv_look_at_volume(sample, ray, subject, storage, family);                           \
+    }                                                                                              \
+    static FX_NOINLINE int entries_##suffix(qv_sample *sample, const qv_ray *ray,                  \
+                                            const qv_subject *subject, unsigned which)             \
+    {                                                                                              \
+        return qv_look_at_level(sample, ray, subject, which, storage, family);                     \
+    }                                                                                              \
+    static int look_##suffix(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,      \
+                             unsigned of, const qv_family *by)                                     \
+    {                                                                                              \
+        (void)by;                                                                                  \
+        return qv_look_at_levels(sample, ray, subject, of, indices_##suffix, entries_##suffix);    \
+    }                                                                                              \
+    static FX_NOINLINE void pieces_##suffix(qv_light *light, qv_ray *ray,                          \
+                                            const qv_context *context)                             \
+    {                                                                                              \
+        qv_march_levels(light, ray, context, storage, family, look_##suffix);                      \
+    }                                                                                              \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \
-        qv_march_levels(light, ray, context, storage, family);                                     \
+        qv_path_clip(ray, context);                                                                \
+        pieces_##suffix(light, ray, context);                                                      \
     }                                                                                              \
     QV_DESCRIPTOR qv_sampling qv_##mode##_##suffix##_levels = {prepare_##suffix, march_##suffix,   \
                                                                read_out, storage, 1};

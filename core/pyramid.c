@@ -62,24 +62,35 @@ static uint32_t wider(uint32_t spacing, uint8_t number)
     return spacing > 0xFFFFFFFFu >> number ? 0xFFFFFFFFu : spacing << number;
 }
 
+void qv_pyramid_place(qv_address *voxels, uint16_t size[3], const qv_volume *volume,
+                      const qv_pyramid *pyramid, uint8_t number)
+{
+    uint64_t before = qv_pyramid_bytes(volume->size, volume->storage, (uint8_t)(number - 1u));
+    *voxels = qv_at(pyramid->voxels, (qv_offset)before);
+    for (unsigned axis = 0; axis < 3; axis++)
+        size[axis] = qv_level_size(volume->size[axis], number);
+}
+
+void qv_pyramid_strides(int32_t stride[3], const uint16_t size[3], unsigned storage)
+{
+    stride[0] = (int32_t)qv_entry_bytes(storage);
+    stride[1] = stride[0] * size[0];
+    stride[2] = stride[1] * size[1]; /* <= 8 * 2^22 */
+}
+
 void qv_pyramid_describe(qv_volume *level, const qv_volume *volume, const qv_pyramid *pyramid,
                          uint8_t number)
 {
     unsigned storage = qv_entry_storage(volume->storage);
-    uint64_t before = qv_pyramid_bytes(volume->size, volume->storage, (uint8_t)(number - 1u));
     qv_volume v = *volume;
-    v.voxels = qv_at(pyramid->voxels, (qv_offset)before);
+    qv_pyramid_place(&v.voxels, v.size, volume, pyramid, number);
     v.palette = 0;
     v.palette_bytes = 0;
     v.storage = (uint8_t)storage;
-    for (uint8_t i = 0; i < number; i++)
-        halve(v.size);
     for (unsigned axis = 0; axis < 3; axis++)
         v.spacing[axis] = wider(qv_spacing(volume->spacing, axis), number);
     v.voxels_bytes = level_bytes(v.size, storage);
-    v.stride[0] = (int32_t)qv_entry_bytes(storage);
-    v.stride[1] = v.stride[0] * v.size[0];
-    v.stride[2] = v.stride[1] * v.size[1]; /* <= 8 * 2^22 */
+    qv_pyramid_strides(v.stride, v.size, storage);
     *level = v;
 }
 

@@ -22,6 +22,13 @@ static inline uint16_t qv_level_size(uint16_t size, unsigned level)
    a pyramid), _NULL, _STRIDE, _BUFFER. */
 qv_status qv_pyramid_check(const qv_volume *volume, const qv_pyramid *pyramid);
 
+/* Where a level lies, 1 .. pyramid->levels, and its size. */
+void qv_pyramid_place(qv_address *voxels, uint16_t size[3], const qv_volume *volume,
+                      const qv_pyramid *pyramid, uint8_t number);
+
+/* Strides of a level of this size: tightly packed entries of the storage, or of its palette. */
+void qv_pyramid_strides(int32_t stride[3], const uint16_t size[3], unsigned storage);
+
 /* Describes a level, 1 .. pyramid->levels, of a volume and pyramid that were checked. */
 void qv_pyramid_describe(qv_volume *level, const qv_volume *volume, const qv_pyramid *pyramid,
                          uint8_t number);

@@ -54,12 +54,18 @@ int qv_ray_hold(qv_ray *ray, const qv_context *context);
 int qv_ray_orthographic(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);
 int qv_ray_perspective(qv_ray *ray, const qv_context *context, int32_t x, int32_t y);
 
-/* The ray of the pixel to the right of an orthographic ray's: side by side they differ by
-   `across` exactly, so this one is that of qv_ray_orthographic. */
-static inline void qv_ray_right(qv_ray *ray, const qv_camera *camera)
+/* The ray of the pixel to the right of an orthographic ray's that began at `place`: side by side
+   they differ by `across` exactly, so this one is that of qv_ray_orthographic, counted from a
+   sample. */
+static inline void qv_ray_right(qv_ray *ray, qv_coord place[3], const qv_camera *camera,
+                                int32_t sample)
 {
-    for (unsigned axis = 0; axis < 3; axis++)
-        ray->place[axis] += camera->across[axis];
+    for (unsigned axis = 0; axis < 3; axis++) {
+        place[axis] += camera->across[axis];
+        ray->place[axis] = place[axis];
+        ray->advance[axis] = camera->along[axis];
+    }
+    ray->first = -QV_GRID_LIMIT - sample;
 }
 
 /* The point of pixel (x, y): base + x*across + y*down. |x|, |y| < 2^15 and

@@ -20,31 +20,39 @@ static void finish(qv_pixel *pixel, const qv_light *light, const qv_context *con
     pixel->channel[3] = opacity;
 }
 
-static void render_pixel(qv_pixel *pixel, qv_progress *progress, const qv_context *context,
-                         int32_t x, int32_t y)
+/* The light of a pixel's ray. */
+static void trace(qv_light *light, qv_progress *progress, const qv_context *context, int32_t x,
+                  int32_t y)
 {
     qv_ray ray;
-    qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
     if (QV_FIELD(context->scene.camera.projection, ray)(&ray, context, x, y)) {
-        QV_FIELD(context->scene.sampling, march)(&light, &ray, context);
+        QV_FIELD(context->scene.sampling, march)(light, &ray, context);
         progress->samples += ray.all - ray.samples; /* those that were taken */
     }
-    progress->skipped += light.skipped;
-    progress->terminated += (uint32_t)light.terminated;
-    finish(pixel, &light, context);
-    pixel->x = (uint32_t)x;
-    pixel->y = (uint32_t)y;
+    progress->skipped += light->skipped;
+    progress->terminated += (uint32_t)light->terminated;
+}
+
+/* Its pixel is made when the ray is gone: the stack holds one of them at a time. */
+static void put_light(const qv_image *image, const qv_progress *at, const qv_context *context,
+                      const qv_light *light, int32_t x, int32_t y)
+{
+    unsigned column = at->column, line = at->line;
+    ptrdiff_t offset = (ptrdiff_t)(line >> QV_FIELD(image->format, line_shift)) * image->stride;
+    qv_pixel pixel;
+    finish(&pixel, light, context);
+    pixel.x = (uint32_t)x;
+    pixel.y = (uint32_t)y;
+    QV_FIELD(image->format, store)((uint8_t *)image->pixels + offset, column, line, &pixel);
 }
 
 static void render_next(const qv_image *image, qv_progress *progress, const qv_context *context,
                         const qv_rect *rect)
 {
-    unsigned column = progress->column, line = progress->line;
-    ptrdiff_t offset = (ptrdiff_t)(line >> QV_FIELD(image->format, line_shift)) * image->stride;
-    qv_pixel pixel;
-    render_pixel(&pixel, progress, context, rect->left + (int32_t)column,
-                 rect->top + (int32_t)line);
-    QV_FIELD(image->format, store)((uint8_t *)image->pixels + offset, column, line, &pixel);
+    int32_t x = rect->left + progress->column, y = rect->top + progress->line;
+    qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
+    trace(&light, progress, context, x, y);
+    put_light(image, progress, context, &light, x, y);
 }
 
 qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_context *context,

@@ -48,14 +48,18 @@ FX_INLINE int qv_any_opacity(const qv_address corner[8], unsigned storage)
    extinction, its share of the extinction of stored opacity, or its weight alone. */
 typedef enum { QV_BY_SHARE, QV_BY_DENSITY, QV_BY_WEIGHT } qv_factor;
 
-/* The extinction of an entry's opacity, below 64: see fx_weight.h. */
-FX_INLINE fx_extinction qv_density(qv_address entry, unsigned storage)
+/* The extinction of an opacity, below 64: see fx_weight.h. It rises with the opacity. */
+FX_INLINE fx_extinction qv_density_of(uint32_t opacity, unsigned storage)
 {
-    uint32_t opacity = qv_opacity_bits(entry, storage);
     fx_extinction extinction = qv_channel_bytes(storage) == 1
                                    ? fx_extinction_of_unorm8((fx_unorm8)opacity)
                                    : fx_extinction_of_unorm16((fx_unorm16)opacity);
     return extinction - (extinction >> 30); /* FX_OPAQUE is 2^30 */
+}
+
+FX_INLINE fx_extinction qv_density(qv_address entry, unsigned storage)
+{
+    return qv_density_of(qv_opacity_bits(entry, storage), storage);
 }
 
 /*

@@ -18,35 +18,39 @@ static int place_stretch(qv_ray *ray, const qv_context *context, int32_t slice)
     return ray->enter < ray->leave;
 }
 
-/* The ray of a row's next pixel, whose sample 0, of modes that know no lengths, is that of the
-   slice. Rays from an eye are made anew; others but the first of a row follow by addition. */
-static int next_ray(qv_ray *ray, const qv_context *context, int32_t x, int32_t y, int32_t slice,
-                    int first)
+/*
+ * The ray of a row's next pixel, whose sample 0, of modes that know no lengths, is that of the
+ * slice. Rays from an eye are made anew; others but the first of a row follow by addition to
+ * `place`, that of the ray before, which is what it was until a mode took the ray's.
+ */
+static int next_ray(qv_ray *ray, qv_coord place[3], const qv_context *context, int32_t x, int32_t y,
+                    int32_t slice, int first)
 {
     const qv_camera *camera = &context->scene.camera;
+    int32_t sample = QV_FIELD(context->scene.sampling, by_length) ? 0 : slice;
     if (!first && camera->pace[0] == 0) {
-        qv_ray_right(ray, camera);
+        qv_ray_right(ray, place, camera, sample);
         return 1;
     }
     if (!QV_FIELD(camera->projection, ray)(ray, context, x, y))
         return 0;
-    if (!QV_FIELD(context->scene.sampling, by_length))
-        qv_ray_count_from(ray, slice);
+    if (sample != 0)
+        qv_ray_count_from(ray, sample);
+    for (unsigned axis = 0; axis < 3; axis++)
+        place[axis] = ray->place[axis];
     return 1;
 }
 
 /* What a pixel sees of a slice; 0 where that is nothing. */
-static int see(qv_fragment *fragment, const qv_context *context, const qv_ray *of_pixel,
-               int32_t slice)
+static int see(qv_fragment *fragment, const qv_context *context, qv_ray *ray, int32_t slice)
 {
     const qv_sampling *sampling = context->scene.sampling;
-    qv_ray ray = *of_pixel;
     qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
-    int placed = QV_FIELD(sampling, by_length) ? place_stretch(&ray, context, slice)
-                                               : qv_ray_hold(&ray, context);
+    int placed = QV_FIELD(sampling, by_length) ? place_stretch(ray, context, slice)
+                                               : qv_ray_hold(ray, context);
     if (!placed)
         return 0;
-    QV_FIELD(sampling, march)(&light, &ray, context);
+    QV_FIELD(sampling, march)(&light, ray, context);
     if (light.transmittance == QV_CLEAR)
         return 0;
     for (unsigned c = 0; c < 3; c++) /* colours stay below 2^31 + 2^22 */
@@ -67,25 +71,25 @@ static int closed(const qv_place *place, const qv_blend *blend, const qv_context
 qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_context *context,
                    const qv_rect *rect, int32_t slice)
 {
-    qv_moment of_slice;
+    qv_moment moment;
     qv_status status = context ? qv_buffer_check(buffer, rect) : QV_ERROR_NULL;
     if (status == QV_OK)
-        status = qv_moment_of(&of_slice, dither, buffer->blend, slice);
+        status = qv_moment_of(&moment, dither, buffer->blend, slice);
     if (status != QV_OK)
         return status;
     const qv_blend *blend = buffer->blend;
-    qv_moment moment = of_slice;
-    uint32_t step = qv_dither_step(of_slice.spread);
+    uint32_t step = qv_dither_step(moment.spread);
     for (int32_t y = rect->top; y < rect->bottom; y++) {
-        qv_place place = qv_place_of(buffer, &of_slice, rect, (unsigned)(y - rect->top));
+        qv_place place = qv_place_of(buffer, &moment, rect, (unsigned)(y - rect->top));
+        qv_coord start[3];
         qv_ray ray;
         for (int32_t x = rect->left; x < rect->right; x++) {
             qv_fragment fragment = {{0, 0, 0}, 0};
-            int hits = next_ray(&ray, context, x, y, slice, x == rect->left);
+            int hits = next_ray(&ray, start, context, x, y, slice, x == rect->left);
             if (!closed(&place, blend, context) &&
                 ((hits && see(&fragment, context, &ray, slice)) ||
                  QV_FIELD(blend, kind) == QV_HAND_OUT))
-                qv_place_blend(&place, blend, &fragment, &moment, &of_slice);
+                qv_place_blend(&place, blend, &fragment, &moment);
             qv_place_next(&place, blend, step);
         }
     }

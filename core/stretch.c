@@ -120,19 +120,19 @@ static qv_coord part_of(qv_coord advance, uint32_t part)
     return fx_shift_floor(upper + fx_shift_floor(lower, 8) + 0x8000, 16);
 }
 
-/* Puts a run's ray to the middle, in voxels of the level. The way there is below 2^23
-   steps of at most 2^8 voxels, and the point lies in the box. */
-static void place_run(qv_run *run, const qv_ray *ray, unsigned level)
+/* Puts a ray to the middle of a run, in voxels of the level. The way there is below 2^23
+   steps of at most 2^8 voxels, and the point lies in the box. 2^level steps are as many voxels
+   of the level as a step is of the volume. */
+static void place_ray(qv_ray *ray, const qv_run *run, unsigned level)
 {
     int32_t whole = (int32_t)fx_shift_floor(run->middle, QV_STEP_BITS);
     uint32_t part = (uint32_t)run->middle & (uint32_t)(QV_STEP - 1);
     for (unsigned axis = 0; axis < 3; axis++) {
         qv_coord advance = ray->advance[axis];
-        qv_coord point = ray->place[axis] + fx_multiply(advance, whole);
+        qv_coord point = run->origin[axis] + fx_multiply(advance, whole);
         if (part != 0)
             point += part_of(advance, part);
-        run->ray.place[axis] = fx_shift_floor(point, level) + QV_CENTRED;
-        run->ray.advance[axis] = advance; /* 2^level steps are so many voxels of the level */
+        ray->place[axis] = fx_shift_floor(point, level) + QV_CENTRED;
     }
 }
 
@@ -145,12 +145,12 @@ int qv_next_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level)
     /* from the border before, modulo a power of 2 whatever the sign */
     int64_t behind = (int64_t)((uint64_t)(ray->enter + QV_HALF_STEP) & ((uint64_t)whole - 1u));
     int64_t length = whole - behind < left ? whole - behind : left;
-    run->ray.samples = length == whole ? (uint32_t)(left >> (QV_STEP_BITS + level)) : 1u;
+    run->samples = length == whole ? (uint32_t)(left >> (QV_STEP_BITS + level)) : 1u;
     /* to nearest; <= 2^28 */
     run->length = (uint32_t)((length + (1 << LENGTH_SHIFT) / 2) >> LENGTH_SHIFT);
     run->middle = ray->enter + length / 2;
-    place_run(run, ray, level);
-    ray->enter += length * run->ray.samples;
+    place_ray(ray, run, level);
+    ray->enter += length * run->samples;
     return 1;
 }
 

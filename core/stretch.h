@@ -16,10 +16,18 @@
 
 /* Pieces of equal length that follow each other. */
 typedef struct qv_run {
-    qv_ray ray;      /* at the middle of the first; `samples` counts the pieces that remain */
-    int64_t middle;  /* of the first, a position */
-    uint32_t length; /* of each, in steps of the volume, Q16.16 */
+    qv_coord origin[3]; /* the ray's place as its projection made it */
+    int64_t middle;     /* of the first piece, a position */
+    uint32_t samples;   /* pieces that remain */
+    uint32_t length;    /* of each, in steps of the volume, Q16.16 */
 } qv_run;
+
+/* What comes before the first run of a ray that was clipped: it stands where it was made. */
+static inline void qv_run_begin(qv_run *run, const qv_ray *ray)
+{
+    for (unsigned axis = 0; axis < 3; axis++)
+        run->origin[axis] = ray->place[axis];
+}
 
 /* The number of the stretch that a position lies in. */
 int32_t qv_stretch_of(int64_t position);
@@ -38,7 +46,8 @@ void qv_path_clip(qv_ray *ray, const qv_context *context);
 /*
  * Takes the next run off a ray, up to the position `end` at most: one piece up to the
  * next border, or all whole stretches that follow. Returns 0 where the ray is done.
- * The run's ray is in voxels of the level, whose stretches are 2^level steps long.
+ * The ray's place becomes the middle of its first piece, in voxels of the level, whose stretches
+ * are 2^level steps long.
  */
 int qv_next_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level);
 

@@ -8,6 +8,8 @@
  * r0 walks through what thumb.h lays out: it is at the x axis where a sample begins. On the stack
  * lie seven weights, in the order of STACK_W1 and so on, and the walk.
  */
+#if defined(__thumb__) && !defined(__thumb2__) /* packages hand this file to every processor */
+
         .syntax unified
         .thumb
 
@@ -268,3 +270,9 @@ thumb_march_rgba8:
         mov     r11, r7
         pop     {r4-r7, pc}
         .size   thumb_march_rgba8, . - thumb_march_rgba8
+
+#endif
+
+#if defined(__ELF__) && defined(__linux__)
+        .section .note.GNU-stack, "", %progbits
+#endif

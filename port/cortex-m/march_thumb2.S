@@ -17,6 +17,8 @@
  *     z axis                       r0 + 52 .. r0 + 76: here it stands in between
  *     weights                      r0 + 76 .. r0 + 100
  */
+#if defined(__thumb2__) /* packages hand this file to every processor */
+
         .syntax unified
         .thumb
 
@@ -242,3 +244,9 @@
         march   thumb_march_back_rgba8, 0, 1
         march   thumb_march_indexed8, 1, 0
         march   thumb_march_back_indexed8, 1, 1
+
+#endif
+
+#if defined(__ELF__) && defined(__linux__)
+        .section .note.GNU-stack, "", %progbits
+#endif

@@ -5,6 +5,7 @@
 #include "error.h"
 #include "frame_file.h"
 #include "illuminate.h"
+#include "paging.h"
 #include "report.h"
 #include "sampling.h"
 #include "scene.h"
@@ -46,6 +47,7 @@ int command_render(const struct settings *settings)
     struct view view;
     struct levels levels = {0};
     struct slicing slicing, *by_slices = NULL;
+    struct paging paging = {0};
     qv_scene scene = {0};
     output picture, report;
     writer = frame_file_writer(settings);
@@ -55,6 +57,9 @@ int command_render(const struct settings *settings)
     convert_opacities(&model, settings);
     model_volume(&scene.volume, &model, settings);
     light_voxels(&scene, &model, settings);
+    if (settings->cache.pages != 0) {
+        paging_create(&paging, &scene.volume, settings);
+    }
     if (settings->level_given) {
         levels_create(&levels, &scene.volume, &model, settings);
         scene.pyramid = &levels.pyramid;
@@ -69,12 +74,13 @@ int command_render(const struct settings *settings)
     frame_file_write(&picture, &frame, writer);
     if (settings->json != NULL) {
         output_open(&report, settings->json);
-        report_scene(&report, &model, &scene, &levels, &view, by_slices, &frame, settings);
+        report_scene(&report, &model, &scene, &levels, &paging, &view, by_slices, &frame, settings);
         output_commit(&report);
     }
     output_commit(&picture);
     frame_free(&frame);
     levels_free(&levels);
+    paging_free(&paging);
     model_free(&model);
     return EXIT_SUCCESS;
 }

@@ -130,7 +130,8 @@ void frame_render(struct frame *frame, const qv_scene *scene, const struct slici
 {
     qv_context context;
     struct strips strips = {frame, &context, slicing, 0, NULL};
-    struct parallel work = {render_strip, &strips, 0, settings->threads,
+    unsigned threads = scene->volume.pages != NULL ? 1 : settings->threads; /* one uses pages */
+    struct parallel work = {render_strip, &strips, 0, threads,
                             progress_label(settings->quiet, "rendering")};
     double start = seconds_now();
     qv_init(&context, scene); /* checked when the scene was made */

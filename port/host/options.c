@@ -111,6 +111,7 @@ static void set_defaults(struct settings *settings)
     settings->termination = -1;
     settings->background[3] = 255;
     settings->gain = 16;
+    settings->cache.page[0] = settings->cache.page[1] = settings->cache.page[2] = 8;
 }
 
 void options_read(struct settings *settings, const struct command *command, int argc, char **argv)

@@ -128,7 +128,7 @@ static void report_statistics(struct json *json, const struct frame *frame, bool
 }
 
 void report_scene(output *out, const struct model *model, const qv_scene *scene,
-                  const struct levels *levels, const struct view *view,
+                  const struct levels *levels, const struct paging *paging, const struct view *view,
                   const struct slicing *slicing, const struct frame *frame,
                   const struct settings *settings)
 {
@@ -152,6 +152,9 @@ void report_scene(output *out, const struct model *model, const qv_scene *scene,
         json_null(&json, "slices");
     }
     report_frame(&json, scene->background, frame);
+    if (scene->volume.pages != NULL) {
+        report_pages(&json, paging);
+    }
     report_statistics(&json, frame, slicing == NULL);
     json_end(&json);
 }

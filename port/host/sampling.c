@@ -10,7 +10,7 @@
 /* Of storage that holds opacity, or of storage that holds extinction. */
 #define STORAGES 4
 
-enum way { FRONT_TO_BACK, BACK_TO_FRONT, THROUGH_LEVELS, WAYS };
+enum way { FRONT_TO_BACK, BACK_TO_FRONT, PAGED, PAGED_BACK_TO_FRONT, THROUGH_LEVELS, WAYS };
 
 struct family {
     const qv_sampling *by_step[WAYS][STORAGES]; /* opacities as they are */
@@ -28,8 +28,9 @@ struct family {
         &qv_##mode##_rgbt8##way, &qv_##mode##_rgbt16##way, &qv_##mode##_indexed8_t8##way,          \
             &qv_##mode##_indexed8_t16##way                                                         \
     }
-#define BOTH_ORDERS(list, mode) list(mode, ), list(mode, _back_to_front)
-#define ALL_WAYS(list, mode)    BOTH_ORDERS(list, mode), list(mode, _levels)
+#define BOTH_ORDERS(list, mode)                                                                    \
+    list(mode, ), list(mode, _back_to_front), list(mode, _paged), list(mode, _paged_back_to_front)
+#define ALL_WAYS(list, mode) BOTH_ORDERS(list, mode), list(mode, _levels)
 
 static const struct family families[SAMPLING_MODES] = {
     [SAMPLING_NEAREST] = {.by_step = {BOTH_ORDERS(OF_OPACITY, nearest)}},
@@ -60,6 +61,9 @@ static enum way way_of(const struct settings *settings)
 {
     if (settings->level_given) {
         return THROUGH_LEVELS;
+    }
+    if (settings->cache.pages != 0) {
+        return settings_back_to_front(settings) ? PAGED_BACK_TO_FRONT : PAGED;
     }
     return settings_back_to_front(settings) ? BACK_TO_FRONT : FRONT_TO_BACK;
 }
@@ -92,6 +96,9 @@ const qv_sampling *sampling_choose(const struct settings *settings, qv_storage s
         sampling = family->opacity[way][storage - QV_STORAGE_RGBA8];
     } else {
         sampling = family->by_step[way][storage - QV_STORAGE_RGBA8];
+    }
+    if (sampling == NULL && storage_is_associated(storage)) {
+        usage_error("--cache", "there is no preweighted sampling through pages");
     }
     if (sampling == NULL) {
         usage_error("--sampling", "%s takes opacities; storage that holds extinction needs %s",

@@ -116,6 +116,10 @@ static void check_scene(const qv_scene *scene, const struct model *model)
         usage_error("view", "%s; change --zoom, --size, --step or --perspective",
                     qv_status_text(status));
     }
+    if (status == QV_ERROR_PAGES) {
+        usage_error("--cache", "%u pages are fewer than a sample may need at a time",
+                    scene->volume.pages->count);
+    }
     if (status == QV_ERROR_UNIT ||
         (status == QV_ERROR_EXTINCTION && !storage_holds_extinction(model->storage))) {
         usage_error("--unit-distance", "%s", qv_status_text(status));

@@ -288,6 +288,27 @@ static void set_strip(struct settings *settings, const char *option, const char 
     settings->strip = (uint32_t)integer_between(option, value, 1, QV_PIXEL_MAX);
 }
 
+static void set_cache(struct settings *settings, const char *option, const char *value)
+{
+    settings->cache.pages = (uint32_t)integer_between(option, value, 1, UINT16_MAX);
+}
+
+static bool is_power_of_2(uint32_t width)
+{
+    return (width & (width - 1)) == 0;
+}
+
+static void set_page(struct settings *settings, const char *option, const char *value)
+{
+    uint32_t *page = settings->cache.page;
+    settings->cache.page_given = true;
+    if (!read_sizes(value, 3, QV_AXIS_MAX, page) || !is_power_of_2(page[0]) ||
+        !is_power_of_2(page[1]) || !is_power_of_2(page[2])) {
+        usage_error(option, "'%s' is not XxYxZ, each a power of 2 from 1 to %d", value,
+                    QV_AXIS_MAX);
+    }
+}
+
 /* One factor stands for all axes. */
 static void set_reduce(struct settings *settings, const char *option, const char *value)
 {
@@ -430,6 +451,10 @@ const struct option_spec option_specs[] = {
     {"bricks", 0, "XxYxZ", "parts of the volume, each drawn into a buffer of its own", set_bricks,
      GROUP_PICTURE},
     {"strip", 0, "ROWS", "rendered at a time; changes no byte (16)", set_strip, GROUP_PICTURE},
+    {"cache", 0, "PAGES", "voxels through so many; changes no byte, --json counts reads", set_cache,
+     GROUP_PICTURE},
+    {"page", 0, "XxYxZ", "voxels in a page, powers of 2; 4096x4096x1: slices (8x8x8)", set_page,
+     GROUP_PICTURE},
 
     {"directions", 0, "SET", "that light is kept for: all, faces, or a list as +x,-y,+x+z (all)",
      set_directions, GROUP_FREEVOXEL},

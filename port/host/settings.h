@@ -73,6 +73,13 @@ struct slice_settings {
     uint32_t bricks[3]; /* parts of each axis */
 };
 
+/* Pages that voxels come through. */
+struct cache_settings {
+    uint32_t pages;   /* 0: voxels lie in memory */
+    uint32_t page[3]; /* voxels of a brick on an axis, powers of 2 */
+    bool page_given;
+};
+
 /* A FreeVoxel file that is made. */
 struct freevoxel_settings {
     uint32_t directions; /* a set; 0: all */
@@ -158,6 +165,7 @@ struct settings {
     int container;      /* enum container */
     uint32_t strip;     /* rows rendered at a time; 0: by default */
 
+    struct cache_settings cache;
     struct slice_settings slices;
     struct freevoxel_settings freevoxel;
     struct splat_settings splat;

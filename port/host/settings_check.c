@@ -67,6 +67,11 @@ void settings_check_needs(const struct settings *settings, int groups)
          "--order front-to-back"},
         {"--filter", settings->filter != FILTER_BY_SAMPLING, levels, "--level"},
         {"--domain", settings->domain != DOMAIN_BY_DEFAULT, levels, "--level"},
+        {"--page", settings->cache.page_given, settings->cache.pages != 0, "--cache"},
+        {"--cache", settings->cache.pages != 0,
+         settings->sampling != SAMPLING_PREWEIGHTED && !settings->level_given &&
+             settings->slices.bricks[0] == 0,
+         "voxels of one volume, without --level, --bricks and --sampling preweighted"},
         {"--gain", settings->gain_given, settings->output != NULL, "--output"},
         {"--name", settings->name != NULL, array, "an output that ends in .c or .h"},
         {"--endian", settings->endian_given && exports, !array,

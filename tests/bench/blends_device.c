@@ -121,7 +121,7 @@ static __attribute__((noinline)) void blend_slice(const qv_buffer *row, const qv
     qv_moment moment = *slice;
     uint32_t step = qv_dither_step(slice->spread);
     for (unsigned x = 0; x < PIXELS; x++) {
-        qv_place_blend(&place, blend, fragment++, &moment, slice);
+        qv_place_blend(&place, blend, fragment++, &moment);
         qv_place_next(&place, blend, step);
     }
 }

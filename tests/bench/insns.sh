@@ -2,8 +2,9 @@
 # What the library executes on each emulated target, counted exactly (-O2): instructions, on an
 # AVR cycles.
 #
-#     tests/bench/insns.sh lines TARGET...    lines "TARGET STORAGE MODE WHAT COUNT"
-#     tests/bench/insns.sh table              such lines, from standard input, as Markdown
+#     tests/bench/insns.sh lines TARGET...      lines "TARGET STORAGE MODE WHAT COUNT"
+#     tests/bench/insns.sh samples TARGET...    the same without blends
+#     tests/bench/insns.sh table                such lines, from standard input, as Markdown
 #
 # WHAT is "inside", a sample inside a ray; "ray", all that a ray costs besides: its set-up and its
 # pixel; or "pixel", a blended one: then STORAGE is "blend" and MODE names it. STORAGE "float"
@@ -70,18 +71,19 @@ table() {
         }'
 }
 
-case ${1:-} in
-lines)
+kind=${1:-}
+case $kind in
+lines | samples)
     shift
     for target; do
         samples "$target"
-        blends "$target"
+        [ "$kind" = samples ] || blends "$target"
         floats "$target"
     done
     ;;
 table) table ;;
 *)
-    echo "usage: tests/bench/insns.sh lines TARGET... | table" >&2
+    echo "usage: tests/bench/insns.sh lines TARGET... | samples TARGET... | table" >&2
     exit 2
     ;;
 esac

@@ -6,7 +6,7 @@ set -eu
 for_a_device() {
     rm -rf "$site"
     mkdir "$site"
-    CMAKE_TOOLCHAIN_FILE=$STAND_IN/cortex-m0.cmake follow
+    CMAKE_TOOLCHAIN_FILE=$STAND_IN/cortex-m4.cmake follow
 }
 
 installed() {
@@ -36,7 +36,9 @@ check "the library is whole" holds_everything nm "$site"/sdk/lib*/libqvol.a
 check "nothing but qvol is installed" installed
 check "its pkg-config file finds it" pkg_config
 check "another version is not found" refuses_another_version
-check "the same lines for a Cortex-M0" for_a_device
-check "the firmware draws the picture" runs_on_m0 "$site/build/ball"
+check "the same lines for a Cortex-M4" for_a_device
+check "the firmware draws the picture" runs_on cortex-m4 "$site/build/ball"
+check "it has the assembly of Thumb-2" \
+    sh -c "arm-none-eabi-nm '$site/build/ball' | grep ' T thumb_march_indexed8'"
 check "its library is whole" holds_everything arm-none-eabi-nm "$site/sdk/lib/libqvol.a"
 finish

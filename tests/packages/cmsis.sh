@@ -13,6 +13,6 @@ check "the example draws here" expected
 check "the description is XML${PACK_XSD:+ by PACK.xsd}" by_the_schema
 check "port/README.md has lines for CMSIS-Pack" lines CMSIS-Pack
 check "they build the example" follow
-check "the firmware draws the picture" runs_on_m0 "$site/ball/out/ball.elf"
+check "the firmware draws the picture" runs_on cortex-m0 "$site/ball/out/ball.elf"
 check "the library is whole" holds_everything arm-none-eabi-nm "$site"/ball/out/*.o
 finish

@@ -5,7 +5,7 @@ set -eu
 check "the example draws here" expected
 check "port/README.md has lines for ESP-IDF" lines ESP-IDF
 check "they build the example" follow
-check "the firmware draws the picture" runs_on_m0 "$site/ball/build/ball.elf"
+check "the firmware draws the picture" runs_on cortex-m0 "$site/ball/build/ball.elf"
 check "the library is whole" \
     holds_everything arm-none-eabi-nm "$site/ball/build/esp-idf/qvol/libqvol.a"
 finish

@@ -13,7 +13,7 @@ is_left_out() {
 check "the example draws here" expected
 check "port/README.md has lines for Zephyr" lines Zephyr
 check "they build the example" follow
-check "the firmware draws the picture" runs_on_m0 "$site/build/zephyr/zephyr.elf"
+check "the firmware draws the picture" runs_on cortex-m0 "$site/build/zephyr/zephyr.elf"
 check "the library is whole" holds_everything arm-none-eabi-nm "$site/build/modules/module/libqvol.a"
 grep west "$work/lines" >"$work/lines.build"
 check "without CONFIG_QVOL it is left out" is_left_out

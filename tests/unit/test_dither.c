@@ -115,7 +115,7 @@ static void shifts_of_pixels(void **state)
         dither.still = turn % 2 != 0;
         const qv_moment slice = moment_of(&dither, &qv_hardware_rgb888, (int32_t)turn - 10000);
         qv_moment pixel = slice;
-        qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(slice.spread, x, y));
+        qv_moment_at(&pixel, slice.u + qv_dither_shift(slice.spread, x, y));
         uint32_t shift = 0;
         if (!dither.still)
             shift = lattice_x * (uint32_t)x + lattice_y * (uint32_t)y;
@@ -137,7 +137,7 @@ static void blends_of_states_have_no_phase(void **state)
             qv_moment pixel = slice;
             assert_null(slice.technique);
             pixel.phase = 77;
-            qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(slice.spread, 1, 0));
+            qv_moment_at(&pixel, slice.u + qv_dither_shift(slice.spread, 1, 0));
             assert_int_equal(pixel.phase, 77);
             const int32_t number = FIRST_NUMBER + (models[i].rule == RULE_UNDER ? 100 : -100);
             assert_int_equal(pixel.u, golden * (uint32_t)number + lattice_x);
@@ -155,7 +155,7 @@ static void pixels_spread_over_the_period(void **state)
     for (int32_t y = 0; y < 70; y++)
         for (int32_t x = 0; x < 70; x++) {
             qv_moment pixel = slice;
-            qv_moment_at(&pixel, &slice, slice.u + qv_dither_shift(slice.spread, x, y));
+            qv_moment_at(&pixel, slice.u + qv_dither_shift(slice.spread, x, y));
             count[pixel.phase]++;
         }
     for (unsigned i = 0; i < 7; i++)

@@ -236,8 +236,7 @@ static void S92_dither_of_a_slice(void **state)
         assert_int_equal(qv_moment_of(&slice, &dither, &qv_hardware_rgb888, examples[i].slice),
                          QV_OK);
         pixel = slice;
-        qv_moment_at(&pixel, &slice,
-                     slice.u + qv_dither_shift(slice.spread, examples[i].x, examples[i].y));
+        qv_moment_at(&pixel, slice.u + qv_dither_shift(slice.spread, examples[i].x, examples[i].y));
         assert_int_equal(pixel.u, examples[i].u);
         assert_int_equal(pixel.phase, examples[i].phase);
         assert_true(pixel.alpha.slope[0] == 65536 && pixel.alpha.cutoff == 255);

@@ -64,10 +64,11 @@ static void S55_cuts(void **state)
 
 /* ---- Pieces ------------------------------------------------------------------- */
 
-static void expect_piece(const qv_run *run, uint32_t length, qv_coord x, qv_coord y, qv_coord z)
+static void expect_piece(const qv_run *run, const qv_ray *ray, uint32_t length, qv_coord x,
+                         qv_coord y, qv_coord z)
 {
     assert_int_equal(run->length, length);
-    expect_vector(run->ray.place, x, y, z);
+    expect_vector(ray->place, x, y, z);
 }
 
 /* The first piece, the whole ones and the last one are three runs. */
@@ -77,14 +78,15 @@ static void S56_pieces(void **state)
     qv_run run;
     (void)state;
     clip(&ray);
+    qv_run_begin(&run, &ray);
     assert_int_equal(ray.samples, 8);
     assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
-    expect_piece(&run, 57334, 8569977500, 1710660118, 19187283926);
+    expect_piece(&run, &ray, 57334, 8569977500, 1710660118, 19187283926);
     assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
-    assert_int_equal(run.ray.samples, 6);
-    expect_piece(&run, 65536, 7145960571, 3480211185, 18869130154);
+    assert_int_equal(run.samples, 6);
+    expect_piece(&run, &ray, 65536, 7145960571, 3480211185, 18869130154);
     assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
-    expect_piece(&run, 40127, -1674033340, 14440354508, 16898567671);
+    expect_piece(&run, &ray, 40127, -1674033340, 14440354508, 16898567671);
     assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 0);
 }
 
@@ -94,14 +96,16 @@ static void S56_pieces_of_both_directions(void **state)
     qv_run run;
     (void)state;
     clip(&ray);
+    qv_run_begin(&run, &ray);
     assert_int_equal(ray.samples, 10);
     assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
-    expect_piece(&run, 32686, 9706618051, -1110987615, 18733277336);
+    expect_piece(&run, &ray, 32686, 9706618051, -1110987615, 18733277336);
     ray = orthographic_ray;
     clip(&ray);
     qv_path_reverse(&ray);
+    qv_run_begin(&run, &ray);
     assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
-    expect_piece(&run, 15938, -1969482315, 12371411761, -1490167411);
+    expect_piece(&run, &ray, 15938, -1969482315, 12371411761, -1490167411);
 }
 
 /* ---- Levels ------------------------------------------------------------------- */
@@ -113,17 +117,17 @@ typedef struct row {
     qv_coord x;
 } row;
 
-static void expect_row_of_levels(qv_ray *ray, const qv_scene *scene, const row *expected)
+static void expect_row_of_levels(qv_run *run, qv_ray *ray, const qv_scene *scene,
+                                 const row *expected)
 {
     qv_span span;
-    qv_run run;
     qv_span_begin(&span, ray, scene);
-    assert_int_equal(qv_next_run(&run, ray, span.end, span.level), 1);
-    qv_span_blend(&span, &run);
+    assert_int_equal(qv_next_run(run, ray, span.end, span.level), 1);
+    qv_span_blend(&span, run);
     assert_int_equal(span.level, expected->level);
-    assert_int_equal(run.length, expected->length);
-    assert_int_equal(run.ray.samples, expected->count);
-    assert_int_equal(run.ray.place[0], expected->x);
+    assert_int_equal(run->length, expected->length);
+    assert_int_equal(run->samples, expected->count);
+    assert_int_equal(ray->place[0], expected->x);
     assert_int_equal(span.blend, expected->share);
     assert_int_equal(span.blend + (expected->count - 1) * span.rise, expected->last_share);
 }
@@ -139,12 +143,14 @@ static void S62_rising_levels(void **state)
                                 {2, 32768, 0, 1, 0, 1065353216}};
     const qv_scene scene = {.level_distance = 3, .pyramid = &two};
     qv_ray ray = {.place = {VOXEL, VOXEL, VOXEL}, .advance = {VOXEL / 16, 0, 0}};
+    qv_run run;
     (void)state;
     clip(&ray);
     assert_int_equal(ray.enter, -5592320);
     assert_int_equal(ray.leave, 536870912);
+    qv_run_begin(&run, &ray);
     for (unsigned i = 0; i < 6; i++)
-        expect_row_of_levels(&ray, &scene, &rows[i]);
+        expect_row_of_levels(&run, &ray, &scene, &rows[i]);
     assert_int_equal(ray.enter, ray.leave);
 }
 
@@ -156,10 +162,12 @@ static void S62_one_level(void **state)
                                 {1, 40127, 0x2C000000, 1, 0x2C000000, -1906564190}};
     const qv_scene scene = {.level = 300, .pyramid = &three};
     qv_ray ray = perspective_ray;
+    qv_run run;
     (void)state;
     clip(&ray);
+    qv_run_begin(&run, &ray);
     for (unsigned i = 0; i < 3; i++)
-        expect_row_of_levels(&ray, &scene, &rows[i]);
+        expect_row_of_levels(&run, &ray, &scene, &rows[i]);
     assert_int_equal(ray.enter, ray.leave);
 }
 

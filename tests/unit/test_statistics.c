@@ -164,11 +164,12 @@ static void count_pieces(inventory *all, qv_ray *ray, qv_mode *mode)
     qv_run run;
     all->rays += ray->samples > 0;
     all->samples += ray->samples;
+    qv_run_begin(&run, ray);
     while (qv_next_run(&run, ray, ray->leave, 0))
-        for (; run.ray.samples != 0; run.ray.samples--) {
-            all->transparent += !mode(&sample, &run.ray, &f.scene.volume, QV_STORAGE_RGBA8);
+        for (; run.samples != 0; run.samples--) {
+            all->transparent += !mode(&sample, ray, &f.scene.volume, QV_STORAGE_RGBA8);
             for (unsigned axis = 0; axis < 3; axis++)
-                run.ray.place[axis] += run.ray.advance[axis];
+                ray->place[axis] += ray->advance[axis];
         }
 }
 
@@ -241,6 +242,7 @@ static uint32_t pieces_until(uint16_t threshold, int32_t x, int32_t y)
     qv_ray ray = way_of(&context, x, y);
     double opaque = -log2(threshold / 65536.0) / -log2(127.0 / 255);
     qv_run run;
+    qv_run_begin(&run, &ray);
     assert_int_equal(qv_next_run(&run, &ray, ray.leave, 0), 1);
     return 1 + (uint32_t)ceil(fmax(0, opaque - run.length / 65536.0));
 }

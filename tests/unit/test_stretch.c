@@ -182,12 +182,13 @@ static qv_ray random_ray(uint16_t size[3], uint32_t *seed)
 
 /* The point at a position, in voxels of a level, as sampling wants it. The way is below
    2^20 steps of at most four voxels. */
-static qv_coord point_at(const qv_ray *ray, unsigned axis, int64_t position, unsigned level)
+static qv_coord point_at(const qv_run *run, const qv_ray *ray, unsigned axis, int64_t position,
+                         unsigned level)
 {
     const int64_t whole = fx_shift_floor(position, QV_STEP_BITS);
     const qv_coord part = ray->advance[axis] * (position - whole * QV_STEP); /* <= 2^58 */
     const qv_coord rest = fx_shift_floor(part + QV_STEP / 2, QV_STEP_BITS);
-    const qv_coord point = ray->place[axis] + ray->advance[axis] * whole + rest;
+    const qv_coord point = run->origin[axis] + ray->advance[axis] * whole + rest;
     return fx_shift_floor(point, level) + QV_CENTRED;
 }
 
@@ -195,16 +196,15 @@ static qv_coord point_at(const qv_ray *ray, unsigned axis, int64_t position, uns
 static void expect_run(const qv_run *run, const qv_ray *ray, int64_t begin, int64_t end,
                        unsigned level)
 {
-    const uint32_t later = run->ray.samples - 1u;
-    const int64_t length = (end - begin) / run->ray.samples, last = end - length;
-    assert_true((end - begin) % (2 * run->ray.samples) == 0);
+    const uint32_t later = run->samples - 1u;
+    const int64_t length = (end - begin) / run->samples, last = end - length;
+    assert_true((end - begin) % (2 * run->samples) == 0);
     assert_int_equal(run->length, (length + 128) / 256);
     assert_true(run->middle == begin + length / 2);
     for (unsigned axis = 0; axis < 3; axis++) {
-        const qv_coord place = run->ray.place[axis], advance = run->ray.advance[axis];
-        assert_true(advance == ray->advance[axis]);
-        assert_true(place == point_at(ray, axis, run->middle, level));
-        assert_true(place + advance * later == point_at(ray, axis, last + length / 2, level));
+        const qv_coord place = ray->place[axis], advance = ray->advance[axis];
+        assert_true(place == point_at(run, ray, axis, run->middle, level));
+        assert_true(place + advance * later == point_at(run, ray, axis, last + length / 2, level));
     }
 }
 
@@ -214,14 +214,16 @@ static uint32_t walk(qv_ray *ray, int64_t end, unsigned level)
     const int64_t whole = QV_STEP << level, stop = end < ray->leave ? end : ray->leave;
     uint32_t pieces = 0;
     qv_run run;
+    qv_run_begin(&run, ray);
     for (int64_t begin = ray->enter; qv_next_run(&run, ray, end, level); begin = ray->enter) {
         expect_run(&run, ray, begin, ray->enter, level);
-        pieces += run.ray.samples;
+        pieces += run.samples;
         if (ray->enter < stop) /* at a border, all whole before it */
             assert_true(((ray->enter + QV_STEP / 2) & (whole - 1)) == 0);
-        if (run.ray.samples > 1)
+        if (run.samples > 1)
             assert_true(run.length == whole / 256 && whole > stop - ray->enter);
     }
+    memcpy(ray->place, run.origin, sizeof run.origin); /* for another walk */
     return pieces;
 }
 
@@ -278,11 +280,12 @@ static void middles_lie_in_the_box(void **state)
         qv_ray ray = random_ray(size, &seed);
         qv_run run;
         clip(&ray, size, 0);
+        qv_run_begin(&run, &ray);
         if (!qv_next_run(&run, &ray, ray.leave, 0))
             continue;
         for (unsigned axis = 0; axis < 3; axis++) {
             const qv_coord advance = ray.advance[axis] < 0 ? -ray.advance[axis] : ray.advance[axis];
-            const qv_coord point = run.ray.place[axis] - QV_CENTRED, off = 1 + (advance >> 23);
+            const qv_coord point = ray.place[axis] - QV_CENTRED, off = 1 + (advance >> 23);
             assert_true(point >= -off && point < size[axis] * VOXEL + off);
         }
     }
@@ -301,12 +304,13 @@ static void collect(pieces *all, qv_ray ray)
 {
     qv_run run;
     all->count = 0;
+    qv_run_begin(&run, &ray);
     while (qv_next_run(&run, &ray, ray.leave, 0))
-        for (; run.ray.samples != 0 && all->count < MOST_PIECES; run.ray.samples--) {
-            memcpy(all->place[all->count], run.ray.place, sizeof run.ray.place);
+        for (; run.samples != 0 && all->count < MOST_PIECES; run.samples--) {
+            memcpy(all->place[all->count], ray.place, sizeof ray.place);
             all->length[all->count++] = run.length;
             for (unsigned axis = 0; axis < 3; axis++)
-                run.ray.place[axis] += run.ray.advance[axis];
+                ray.place[axis] += ray.advance[axis];
         }
 }
 

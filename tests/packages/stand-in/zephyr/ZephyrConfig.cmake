@@ -1,6 +1,6 @@
 # The part of Zephyr's build system that an application and a module of sources use. As Zephyr's
 # does, this makes the target app, enters the module, and links zephyr/zephyr.elf.
-project(Zephyr-Kernel LANGUAGES C)
+project(Zephyr-Kernel LANGUAGES C ASM)
 include("${CMAKE_BINARY_DIR}/zephyr/module.cmake")
 
 add_library(zephyr_interface INTERFACE)
@@ -11,7 +11,7 @@ macro(zephyr_library_named name)
   set(ZEPHYR_CURRENT_LIBRARY ${name})
   add_library(${name} STATIC)
   target_link_libraries(${name} PRIVATE zephyr_interface)
-  target_compile_options(${name} PRIVATE -std=c99 -ffunction-sections -fdata-sections)
+  target_compile_options(${name} PRIVATE $<$<COMPILE_LANGUAGE:C>:-std=c99> -ffunction-sections -fdata-sections)
   set_property(GLOBAL APPEND PROPERTY ZEPHYR_LIBS ${name})
 endmacro()
 

@@ -1,7 +1,7 @@
 # The part of ESP-IDF's build system that an application and a component of sources use: project()
 # takes every folder of components/ and main/ and links NAME.elf, which begins in app_main.
 macro(project name)
-  _project(${name} LANGUAGES C)
+  _project(${name} LANGUAGES C ASM)
   file(GLOB folders "${CMAKE_SOURCE_DIR}/components/*" "${CMAKE_SOURCE_DIR}/main")
   foreach(folder ${folders})
     get_filename_component(COMPONENT_NAME "${folder}" NAME)
@@ -22,7 +22,8 @@ function(idf_component_register)
   add_library(${COMPONENT_NAME} STATIC ${component_SRCS})
   target_include_directories(${COMPONENT_NAME}
       PUBLIC ${component_INCLUDE_DIRS} PRIVATE ${component_PRIV_INCLUDE_DIRS})
-  target_compile_options(${COMPONENT_NAME} PRIVATE -std=gnu17 -ffunction-sections -fdata-sections)
+  target_compile_options(${COMPONENT_NAME} PRIVATE $<$<COMPILE_LANGUAGE:C>:-std=gnu17>
+      -ffunction-sections -fdata-sections)
   target_link_libraries(${COMPONENT_NAME}
       PUBLIC ${component_REQUIRES} PRIVATE ${component_PRIV_REQUIRES})
 endfunction()
