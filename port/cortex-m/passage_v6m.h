@@ -10,6 +10,7 @@
 #ifndef PASSAGE_V6M_H
 #define PASSAGE_V6M_H
 
+/* clang-format off: an instruction a line */
 __attribute__((naked)) void qv_passage_under(__attribute__((unused)) qv_passage *passage)
 {
     __asm__ volatile(
@@ -220,5 +221,6 @@ __attribute__((naked)) void qv_passage_under(__attribute__((unused)) qv_passage 
         "\tmov r11, r7\n"
         "\tpop {r4-r7, pc}\n");
 }
+/* clang-format on */
 
 #endif /* PASSAGE_V6M_H */
