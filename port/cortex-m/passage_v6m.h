@@ -10,7 +10,8 @@
 #ifndef PASSAGE_V6M_H
 #define PASSAGE_V6M_H
 
-/* clang-format off: an instruction a line */
+/* An instruction a line. */
+/* clang-format off */
 __attribute__((naked)) void qv_passage_under(__attribute__((unused)) qv_passage *passage)
 {
     __asm__ volatile(

@@ -19,7 +19,8 @@
 #define HIGH(word)    "\tlsr " word ", " word ", #8\n\tand " word ", " word ", #0x00FF00FF\n"
 #endif
 
-/* clang-format off: an instruction a line */
+/* An instruction a line. */
+/* clang-format off */
 __attribute__((naked)) void qv_passage_under(__attribute__((unused)) qv_passage *passage)
 {
     __asm__ volatile(
