@@ -12,7 +12,7 @@
 #ifdef __ARM_FEATURE_MVE
 #define QV_MARCH_HEADER "helium.h"
 #else
-#define QV_MARCH_HEADER "thumb.h"
+#define QV_MARCH_HEADER "march_walk.h"
 #endif
 #endif
 
