@@ -8,6 +8,8 @@
  * s0 is the walk of march_walk.h; s1 to s3 light, s4 transmittance, s5 samples that remain, s6
  * the transmittance below which the ray ends, s7 the voxels.
  */
+#if defined(__riscv_mul) && __riscv_xlen == 32 && !defined(__riscv_32e) /* packages hand it to all */
+
         .equ    SKIPPED, 4
         .equ    RED, 8
         .equ    GREEN, 12
@@ -231,3 +233,9 @@ walk_march_rgba8:
         bnez    s5, .Lsample
         j       .Lend
         .size   walk_march_rgba8, . - walk_march_rgba8
+
+#endif
+
+#if defined(__ELF__) && defined(__linux__)
+        .section .note.GNU-stack, "", %progbits
+#endif
