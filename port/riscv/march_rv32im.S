@@ -8,7 +8,7 @@
  * s0 is the walk of march_walk.h; s1 to s3 light, s4 transmittance, s5 samples that remain, s6
  * the transmittance below which the ray ends, s7 the voxels.
  */
-#if defined(__riscv_mul) && __riscv_xlen == 32 /* packages hand this file to every processor */
+#if defined(__riscv_mul) && __riscv_xlen == 32 && !defined(__riscv_32e) /* packages hand it to all */
 
         .equ    SKIPPED, 4
         .equ    RED, 8
