@@ -5,12 +5,12 @@
 #define QV_PALETTE_H
 
 #include "access.h"
+#include "fx_inline.h"
 #include "qvol.h"
 
 /* Indexed storage has a palette, of so many bytes a channel; other storage has none.
    QV_OK, QV_ERROR_PALETTE. */
-static inline qv_status qv_palette_check(const qv_volume *volume, unsigned channel_bytes,
-                                         int indexed)
+FX_INLINE qv_status qv_palette_check(const qv_volume *volume, unsigned channel_bytes, int indexed)
 {
     uint32_t expected = indexed ? 4u * QV_PALETTE_ENTRIES * channel_bytes : 0;
     int present = volume->palette != 0;

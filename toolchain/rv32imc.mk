@@ -1,6 +1,9 @@
 # RISC-V, 32 bits, with multiplication and division, and compressed instructions.
 TARGET_CPU := -march=rv32imc -mabi=ilp32
 TARGET_EMULATED_CPU := rv32,a=off,f=off,d=off,h=off,s=off,u=off
+# Marches, see core/march.h.
+TARGET_MARCH := ../cortex-m/march_walk.h
+TARGET_MARCH_SOURCES := port/riscv/march_rv32im.S
 include toolchain/shared/riscv.mk
 
 # The head in colour, shaded as it was classified: 1 MB of RGBA8.

@@ -16,6 +16,8 @@
  * of a row are nor how many they are. Of a sample's 53 instructions 24 are its share of what
  * prepares four.
  */
+#if defined(__ARM_FEATURE_MVE) /* packages hand this file to every processor */
+
         .syntax unified
         .thumb
 
@@ -245,3 +247,9 @@
         march   helium_march_back_rgba8, 0, 1
         march   helium_march_indexed8, 1, 0
         march   helium_march_back_indexed8, 1, 1
+
+#endif
+
+#if defined(__ELF__) && defined(__linux__)
+        .section .note.GNU-stack, "", %progbits
+#endif

@@ -3,10 +3,10 @@
  * Thumb-2 (ARMv6-M, ARMv8-M without the main extension): what qv_march does with
  * qv_take_weighted, to the bit.
  *
- *     void thumb_march_rgba8(thumb_walk *walk);
+ *     void walk_march_rgba8(march_walk *walk);
  *
- * r0 walks through what thumb.h lays out: it is at the x axis where a sample begins. On the stack
- * lie seven weights, in the order of STACK_W1 and so on, and the walk.
+ * r0 walks through what march_walk.h lays out: it is at the x axis where a sample begins. On the
+ * stack lie seven weights, in the order of STACK_W1 and so on, and the walk.
  */
 #if defined(__thumb__) && !defined(__thumb2__) /* packages hand this file to every processor */
 
@@ -95,12 +95,12 @@
         adcs    \a, r2
         .endm
 
-        .section .text.thumb_march_rgba8, "ax", %progbits
+        .section .text.walk_march_rgba8, "ax", %progbits
         .balign 4
-        .global thumb_march_rgba8
+        .global walk_march_rgba8
         .thumb_func
-        .type   thumb_march_rgba8, %function
-thumb_march_rgba8:
+        .type   walk_march_rgba8, %function
+walk_march_rgba8:
         push    {r4-r7, lr}
         mov     r4, r8
         mov     r5, r9
@@ -269,7 +269,7 @@ thumb_march_rgba8:
         mov     r10, r6
         mov     r11, r7
         pop     {r4-r7, pc}
-        .size   thumb_march_rgba8, . - thumb_march_rgba8
+        .size   walk_march_rgba8, . - walk_march_rgba8
 
 #endif
 

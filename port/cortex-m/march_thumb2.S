@@ -3,12 +3,12 @@
  * (ARMv7-M, ARMv7E-M, ARMv8-M with the main extension): what qv_march and qv_march_back do with
  * qv_take_weighted, to the bit. C spills what 14 registers hold here.
  *
- *     void thumb_march_rgba8(thumb_walk *walk);
- *     void thumb_march_back_rgba8(thumb_walk *walk);
- *     void thumb_march_indexed8(thumb_walk *walk);
- *     void thumb_march_back_indexed8(thumb_walk *walk);
+ *     void walk_march_rgba8(march_walk *walk);
+ *     void walk_march_back_rgba8(march_walk *walk);
+ *     void walk_march_indexed8(march_walk *walk);
+ *     void walk_march_back_indexed8(march_walk *walk);
  *
- * r0 walks through what thumb.h lays out, and is back at the x axis where a sample begins:
+ * r0 walks through what march_walk.h lays out, and is back at the x axis where a sample begins:
  *
  *     palette, skipped samples     r0 - 32 .. r0 - 24
  *     light, counter, threshold    r0 - 24 .. r0
@@ -240,10 +240,10 @@
         .size   \name, . - \name
         .endm
 
-        march   thumb_march_rgba8, 0, 0
-        march   thumb_march_back_rgba8, 0, 1
-        march   thumb_march_indexed8, 1, 0
-        march   thumb_march_back_indexed8, 1, 1
+        march   walk_march_rgba8, 0, 0
+        march   walk_march_back_rgba8, 0, 1
+        march   walk_march_indexed8, 1, 0
+        march   walk_march_back_indexed8, 1, 1
 
 #endif
 

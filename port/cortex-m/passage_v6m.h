@@ -10,6 +10,8 @@
 #ifndef PASSAGE_V6M_H
 #define PASSAGE_V6M_H
 
+/* An instruction a line. */
+/* clang-format off */
 __attribute__((naked)) void qv_passage_under(__attribute__((unused)) qv_passage *passage)
 {
     __asm__ volatile(
@@ -220,5 +222,6 @@ __attribute__((naked)) void qv_passage_under(__attribute__((unused)) qv_passage 
         "\tmov r11, r7\n"
         "\tpop {r4-r7, pc}\n");
 }
+/* clang-format on */
 
 #endif /* PASSAGE_V6M_H */

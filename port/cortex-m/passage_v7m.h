@@ -1,6 +1,6 @@
 /*
- * passage_v7m.h - qv_passage_under for Cortex-M3 and up: the instructions that GCC finds no registers
- * for. Named in QV_PASSAGE_HEADER by the targets.
+ * passage_v7m.h - qv_passage_under for Cortex-M3 and up, where GCC finds too few registers. Named in
+ * QV_PASSAGE_HEADER by the targets.
  *
  * r0 points to the passage's light, with the steps before it and the transmittance after it.
  * While it runs, light[0] holds red and blue * 2^16, and light[1] green and what was taken from
@@ -19,6 +19,8 @@
 #define HIGH(word)    "\tlsr " word ", " word ", #8\n\tand " word ", " word ", #0x00FF00FF\n"
 #endif
 
+/* An instruction a line. */
+/* clang-format off */
 __attribute__((naked)) void qv_passage_under(__attribute__((unused)) qv_passage *passage)
 {
     __asm__ volatile(
@@ -139,6 +141,7 @@ __attribute__((naked)) void qv_passage_under(__attribute__((unused)) qv_passage 
         "\tbne 1b\n"
         "\tb 2b\n");
 }
+/* clang-format on */
 
 #undef LOW
 #undef HIGH

@@ -20,7 +20,7 @@ run() { # run TARGET
     outcome $code "$1: marches ran to its end"
 }
 
-for target in cortex-m0 cortex-m3 cortex-m4 cortex-m55; do
+for target in cortex-m0 cortex-m3 cortex-m4 cortex-m55 rv32imc; do
     run $target
 done
 finish

@@ -17,8 +17,8 @@ compiles() { # compiles COMPILER OPTION...
 firmware() { # firmware BUILD VARIABLE=VALUE...
     top=$1
     shift
-    make -s TARGET=cortex-m0 OPTIMISE=-Os BUILD="$top" "$@" "$top/cortex-m0/size_orthographic.elf" &&
-        toolchain/size_report "$top/cortex-m0/size_orthographic.map" >"$work/report" &&
+    make -s TARGET=cortex-m0 OPTIMISE=-Os BUILD="$top" "$@" "$top/cortex-m0/size_minimal.elf" &&
+        toolchain/size_report "$top/cortex-m0/size_minimal.map" >"$work/report" &&
         awk '$1 == "code" { print $2 }' "$work/report" >"$work/code" && [ -s "$work/code" ]
 }
 

@@ -39,6 +39,6 @@ check "another version is not found" refuses_another_version
 check "the same lines for a Cortex-M4" for_a_device
 check "the firmware draws the picture" runs_on cortex-m4 "$site/build/ball"
 check "it has the assembly of Thumb-2" \
-    sh -c "arm-none-eabi-nm '$site/build/ball' | grep ' T thumb_march_indexed8'"
+    sh -c "arm-none-eabi-nm '$site/build/ball' | grep ' T walk_march_indexed8'"
 check "its library is whole" holds_everything arm-none-eabi-nm "$site/sdk/lib/libqvol.a"
 finish

@@ -2,6 +2,7 @@
  * Voxels through pages: pictures are those of voxels in memory, whatever the cache; each brick is
  * read when it is wanted and not before; what cannot be read is 0.
  */
+#include "pages.h"
 #include "pages_fixture.h"
 #include "slices_fixture.h"
 
@@ -107,6 +108,28 @@ static void modes_share_pages(void **state)
         }
     assert_int_equal(status, QV_OK);
     assert_memory_equal(pixels, expected, sizeof pixels);
+    paged_free(&p);
+}
+
+/* A ray that goes on in the box of cells of another one's last sample, once other modes have taken
+   its pages away: it finds the same voxel. */
+static void boxes_do_not_outlive_their_pages(void **state)
+{
+    static const qv_coord place[3] = {0, 0, 0};
+    static const uint16_t corner[3] = {0, 0, 0};
+    (void)state;
+
+    paged_make(&p, &qv_weighted_rgba8, &qv_weighted_rgba8_paged, cubes, 8);
+    qv_pages_seek(&p.pages, place);
+    assert_int_equal(p.pages.cells[0], 1);
+    for (uint16_t brick = 1; brick < 18; brick++) {
+        const uint16_t other[3] = {(uint16_t)(2 * (brick % 3)), (uint16_t)(2 * (brick / 3 % 3)),
+                                   (uint16_t)(2 * (brick / 9))};
+        (void)qv_pages_voxel(&p.pages, other);
+    }
+    assert_int_equal(p.pages.cells[0], 0);
+    qv_pages_seek(&p.pages, place);
+    assert_ptr_equal(p.pages.corner[0], qv_pages_voxel(&p.pages, corner));
     paged_free(&p);
 }
 
@@ -295,6 +318,7 @@ int main(void)
         cmocka_unit_test(bricks_that_all_have_pages_are_read_once),
         cmocka_unit_test(few_pages_are_read_often),
         cmocka_unit_test(modes_share_pages),
+        cmocka_unit_test(boxes_do_not_outlive_their_pages),
         cmocka_unit_test(what_cannot_be_read_is_0),
         cmocka_unit_test(failure_stays_until_it_is_taken_away),
         cmocka_unit_test(slices_tell_of_failures_too),

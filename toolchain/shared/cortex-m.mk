@@ -14,7 +14,7 @@ TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 ARMV6M := $(filter -mcpu=cortex-m0%,$(TARGET_CPU))
 
 # Marches (core/march.h): of a header, with what it needs in assembly.
-TARGET_MARCH ?= thumb.h
+TARGET_MARCH ?= march_walk.h
 TARGET_MARCH_SOURCES ?= port/cortex-m/march_$(if $(ARMV6M),thumb1,thumb2).S
 
 # Sampling of associated colours in assembly (core/preweighted.h).

@@ -1,40 +1,41 @@
 /*
- * thumb.h - marches in assembly (QV_MARCH_HEADER): opacity-weighted samples of 8-bit entries.
- * All of them for cores with Thumb-2, march_thumb2.S; of RGBA8 from front to back for those
- * without, march_thumb1.S.
+ * march_walk.h - marches in assembly (QV_MARCH_HEADER): opacity-weighted samples of 8-bit
+ * entries. All of them for Arm cores with Thumb-2, march_thumb2.S; from front to back those of
+ * RGBA8 for Arm cores without, march_thumb1.S, and for RISC-V with multiplication,
+ * march_rv32im.S.
  */
-#ifndef THUMB_H
-#define THUMB_H
+#ifndef MARCH_WALK_H
+#define MARCH_WALK_H
 
 /* An axis of a walk. */
-typedef struct thumb_axis {
+typedef struct walk_axis {
     uint32_t place[2], advance[2]; /* of qv_ray, the lower words first */
     uint32_t last;                 /* index of the last voxel */
     int32_t stride;
-} thumb_axis;
+} walk_axis;
 
 /* What the assembly walks through, word by word in this order. */
-typedef struct thumb_walk {
+typedef struct march_walk {
     qv_address palette;
     uint32_t skipped;
     uint32_t colour[3]; /* of qv_light */
     uint32_t taken;     /* the complement of its transmittance */
     uint32_t samples;   /* that remain */
     uint32_t enough;    /* transmittance below which the ray ends, from front to back */
-    thumb_axis x;
+    walk_axis x;
     qv_address voxels;
-    thumb_axis y, z;
+    walk_axis y, z;
     uint32_t weights[6]; /* its own */
-} thumb_walk;
+} march_walk;
 
 /* Take samples, of which there is at least one, until none remain or light is enough. */
-void thumb_march_rgba8(thumb_walk *walk);
-void thumb_march_back_rgba8(thumb_walk *walk);
-void thumb_march_indexed8(thumb_walk *walk);
-void thumb_march_back_indexed8(thumb_walk *walk);
+void walk_march_rgba8(march_walk *walk);
+void walk_march_back_rgba8(march_walk *walk);
+void walk_march_indexed8(march_walk *walk);
+void walk_march_back_indexed8(march_walk *walk);
 
-FX_INLINE void thumb_axis_of(thumb_axis *of, const qv_ray *ray, const qv_volume *volume,
-                             unsigned axis)
+FX_INLINE void walk_axis_of(walk_axis *of, const qv_ray *ray, const qv_volume *volume,
+                            unsigned axis)
 {
     uint64_t place = (uint64_t)ray->place[axis], advance = (uint64_t)ray->advance[axis];
     of->place[0] = (uint32_t)place;
@@ -45,8 +46,8 @@ FX_INLINE void thumb_axis_of(thumb_axis *of, const qv_ray *ray, const qv_volume 
     of->stride = volume->stride[axis];
 }
 
-FX_INLINE void thumb_set_out(thumb_walk *walk, const qv_light *light, const qv_ray *ray,
-                             const qv_context *context)
+FX_INLINE void walk_set_out(march_walk *walk, const qv_light *light, const qv_ray *ray,
+                            const qv_context *context)
 {
     const qv_volume *volume = &context->scene.volume;
     for (unsigned c = 0; c < 3; c++)
@@ -54,32 +55,32 @@ FX_INLINE void thumb_set_out(thumb_walk *walk, const qv_light *light, const qv_r
     walk->taken = ~light->transmittance;
     walk->samples = ray->samples;
     walk->enough = ((uint32_t)context->scene.termination << 15) + 1u; /* Q0.16 to Q1.31 */
-    thumb_axis_of(&walk->x, ray, volume, 0);
-    thumb_axis_of(&walk->y, ray, volume, 1);
-    thumb_axis_of(&walk->z, ray, volume, 2);
+    walk_axis_of(&walk->x, ray, volume, 0);
+    walk_axis_of(&walk->y, ray, volume, 1);
+    walk_axis_of(&walk->z, ray, volume, 2);
     walk->voxels = volume->voxels;
     walk->palette = volume->palette;
     walk->skipped = light->skipped;
 }
 
-FX_INLINE void thumb_walk_through(thumb_walk *walk, unsigned storage, int back)
+FX_INLINE void walk_through(march_walk *walk, unsigned storage, int back)
 {
     if (qv_storage_indexed(storage) && back)
-        thumb_march_back_indexed8(walk);
+        walk_march_back_indexed8(walk);
     else if (qv_storage_indexed(storage))
-        thumb_march_indexed8(walk);
+        walk_march_indexed8(walk);
     else if (back)
-        thumb_march_back_rgba8(walk);
+        walk_march_back_rgba8(walk);
     else
-        thumb_march_rgba8(walk);
+        walk_march_rgba8(walk);
 }
 
 /* Whether there is assembly for it. */
-FX_INLINE int thumb_marches(unsigned storage, qv_taking *mode, int back)
+FX_INLINE int walk_marches(unsigned storage, qv_taking *mode, int back)
 {
     if (mode != qv_take_weighted)
         return 0;
-#if __ARM_ARCH_ISA_THUMB >= 2
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB >= 2
     (void)back;
     return qv_channel_bytes(storage) == 1;
 #else
@@ -91,16 +92,16 @@ FX_INLINE int thumb_marches(unsigned storage, qv_taking *mode, int back)
 FX_INLINE int qv_march_twin(qv_light *light, qv_ray *ray, const qv_context *context,
                             unsigned storage, qv_taking *mode, int back)
 {
-    thumb_walk walk;
-    if (!thumb_marches(storage, mode, back))
+    march_walk walk;
+    if (!walk_marches(storage, mode, back))
         return 0;
     qv_ray_clip(ray, context);
     if (ray->samples == 0)
         return 1;
     if (back)
         qv_reverse(ray);
-    thumb_set_out(&walk, light, ray, context);
-    thumb_walk_through(&walk, storage, back);
+    walk_set_out(&walk, light, ray, context);
+    walk_through(&walk, storage, back);
     for (unsigned c = 0; c < 3; c++)
         light->colour[c] = walk.colour[c];
     light->transmittance = ~walk.taken;
@@ -110,4 +111,4 @@ FX_INLINE int qv_march_twin(qv_light *light, qv_ray *ray, const qv_context *cont
     return 1;
 }
 
-#endif /* THUMB_H */
+#endif /* MARCH_WALK_H */
