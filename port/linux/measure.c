@@ -6,21 +6,24 @@
 #include "measure.h"
 
 #if defined(__x86_64__)
-#define STORE_WORD "movl 4(%%rsp), %%eax\n\tmovl %%eax, 4(%%rsp)" ::: "eax", "memory"
+#define STORE_WORD "movl 4(%%rsp), %%eax\n\tmovl %%eax, 4(%%rsp)"
+#define SPOILED    "eax", "memory"
 #elif defined(__i386__)
-#define STORE_WORD "movl (%%esp), %%eax\n\tmovl %%eax, (%%esp)" ::: "eax", "memory"
+#define STORE_WORD "movl (%%esp), %%eax\n\tmovl %%eax, (%%esp)"
+#define SPOILED    "eax", "memory"
 #elif defined(__powerpc__)
-#define STORE_WORD "stw 0, -4(1)" ::: "memory"
+#define STORE_WORD "stw 0, -4(1)"
+#define SPOILED    "memory"
 #else
 #error "how is a word stored below the caller's stack pointer?"
 #endif
 
 __attribute__((noinline)) void measure_begin(void)
 {
-    __asm__ volatile(STORE_WORD);
+    __asm__ volatile(STORE_WORD ::: SPOILED);
 }
 
 __attribute__((noinline)) void measure_end(void)
 {
-    __asm__ volatile(STORE_WORD);
+    __asm__ volatile(STORE_WORD ::: SPOILED);
 }
