@@ -27,12 +27,6 @@ ratio() { # ratio TARGET: floats beside weighted rgba8
         'BEGIN { print whole ? sprintf("%.1f", float / whole) : 0 }'
 }
 
-# goal COUNT AIM TARGET STORAGE MODE: at most the first, which is what was reached; the aim is told.
-goal() {
-    at_most "$1" "$3" "$4" "$5"
-    [ "${count:-0}" -le "$2" ] || echo "# $3, $5 $4: $count, where $2 are the aim"
-}
-
 at_least() { # at_least RATIO TARGET
     times=$(ratio "$2")
     status=0
