@@ -19,7 +19,7 @@ weighted           | rgba16   | 1   |            | rgba16 weighted              
 weighted           | rgba8    | 1   |            | rgba8 weighted               | 4
 weighted           | indexed8 | 1   | --palette-bits 16 | indexed8_16 weighted  | 1
 weighted           | indexed8 | 1   |            | indexed8 weighted            | 1
-preweighted        | rgba8    | 1   |            | associated8 preweighted      | 4
+preweighted        | associated8 | 1 |           | associated8 preweighted      | 4
 weighted           | rgba8    | 0.5 | $BY_LENGTH | rgba8 corrected              | 4
 weighted           | rgba8    | 1   | $BY_LENGTH | rgba8 corrected              | 4
 weighted           | rgba8    | 2   | $BY_LENGTH | rgba8 corrected              | 4

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Writes the figures of README.md between their markers: sizes, speeds, costs of blends
-# and of FreeVoxels.
+# and of FreeVoxels, and what to choose.
 set -eu
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
@@ -21,6 +21,7 @@ tests/size/sizes.sh readme <"$work/lines" >"$work/sizes"
 tests/bench/bench.sh >"$work/speeds"
 tests/bench/blends.sh >"$work/blends"
 tests/bench/freevoxels.sh >"$work/freevoxels"
+tests/bench/choose.sh >"$work/choices"
 cc=${CC:-cc}
 $cc -std=c99 -Icore tests/bench/recommendations.c "${BUILD:-build}/host/libqvol.a" -o "$work/ask"
 "$work/ask" >"$work/recommendations"
@@ -29,3 +30,4 @@ replace sizes
 replace speeds
 replace blends
 replace freevoxels
+replace choices
