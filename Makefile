@@ -212,7 +212,7 @@ format: ## lay out every C file by .clang-format
 
 lint: ## layout, static analysis, shell scripts
 	clang-format --dry-run --Werror $(C_FILES)
-	cppcheck --std=c99 --quiet --error-exitcode=1 --enable=warning,portability,performance \
+	cppcheck -j 2 --std=c99 --quiet --error-exitcode=1 --enable=warning,portability,performance \
 		--inline-suppr --suppress=missingIncludeSystem -UQV_MEMORY_HEADER -UFX_TABLE_HEADER -UQV_MARCH_HEADER -UQV_PASSAGE_HEADER \
 		-Icore -Ifixedpoint core fixedpoint
 	shellcheck -S warning toolchain/setup toolchain/demo toolchain/emulate toolchain/dist tests/run $$(find tests port -name '*.sh') .ci/run
