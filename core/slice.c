@@ -81,7 +81,7 @@ qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_co
     uint32_t step = qv_dither_step(moment.spread);
     for (int32_t y = rect->top; y < rect->bottom; y++) {
         qv_place place = qv_place_of(buffer, &moment, rect, (unsigned)(y - rect->top));
-        qv_coord start[3];
+        qv_coord start[3] = {0, 0, 0};
         qv_ray ray;
         for (int32_t x = rect->left; x < rect->right; x++) {
             qv_fragment fragment = {{0, 0, 0}, 0};
