@@ -237,8 +237,8 @@ static void print_volume(struct flash_array *array)
           volume->unit_distance);
     print(array, "    %" PRIu32 "u, /* extinction of the full value, Q16.16 */\n",
           volume->extinction);
-    print(array, "    {%" PRId32 ", %" PRId32 ", %" PRId32 "}, /* strides */\n",
-          volume->stride[0], volume->stride[1], volume->stride[2]);
+    print(array, "    {%" PRId32 ", %" PRId32 ", %" PRId32 "}, /* strides */\n", volume->stride[0],
+          volume->stride[1], volume->stride[2]);
     print(array, "    0, /* no pages: all of it is in memory */\n};\n");
 }
 
