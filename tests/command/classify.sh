@@ -89,7 +89,8 @@ int main(void)
     fwrite(v->voxels, 1, (size_t)v->voxels_bytes, stdout);
     if (v->palette_bytes > 0)
         fwrite(v->palette, 1, v->palette_bytes, stdout);
-    if ((v->storage >= QV_STORAGE_RGBT8) != (v->extinction != 0))
+    if ((v->storage >= QV_STORAGE_RGBT8 && v->storage <= QV_STORAGE_INDEXED8_T16) !=
+        (v->extinction != 0))
         return 2;
     fprintf(stderr, "%u %u %u %u %u %u\n", v->size[0], v->size[1], v->size[2], (unsigned)v->spacing[0],
             (unsigned)v->spacing[1], (unsigned)v->spacing[2]);
