@@ -31,12 +31,13 @@ extinction         | indexed8 | 1   | $BY_LENGTH $EXTINCTION | indexed8_t8 extin
 bspline-extinction | rgbt16   | 1   | $BY_LENGTH $EXTINCTION | rgbt16 bspline_extinction | 8
 bspline-extinction | rgbt8    | 1   | $BY_LENGTH $EXTINCTION | rgbt8 bspline_extinction | 4"
 
-picture() { # picture FILE MODE STORAGE STEP OPTIONS...
+# A subshell, whose variables are its own.
+picture() ( # picture FILE MODE STORAGE STEP OPTIONS...
     file=$1 mode=$2 storage=$3 step=$4
     shift 4
     "$QVOL" render "$SCAN" --quiet --tf head --zoom 1.45 --elevation 14 --azimuth 130 \
         --sampling "$mode" --storage "$storage" --step "$step" -o "$file" "$@"
-}
+)
 
 # errors MODE STORAGE STEP OPTIONS...: "RMS LARGEST" beside the best picture of the mode.
 errors() {
