@@ -108,20 +108,8 @@ $(PAPER_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 	@echo "  LD  $@"
 	@$(CC) $(CFLAGS) $(filter %.o,$^) $(LIBRARY) -lm -o $@
 
-# Vectors for other people's implementations; VECTORS=N: at least N rows a stage, into build/vectors.
-VECTOR_GENERATOR := $(TEST_OUT)/vectors/from_library
-VECTOR_FOLDER := $(if $(VECTORS),$(BUILD)/vectors,tests/vectors)
-
-.PHONY: vectors
-vectors: $(VECTOR_GENERATOR) ## test vectors of every stage: tests/vectors/; VECTORS=N: N rows of each, build/vectors/
-	@mkdir -p $(VECTOR_FOLDER)
-	$(VECTOR_GENERATOR) $(VECTOR_FOLDER) $(VECTORS)
-	tests/vectors/declare.sh $(VECTOR_FOLDER)
-
-$(VECTOR_GENERATOR): $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/vectors/from_library/*.c)) $(LIBRARY)
-	@mkdir -p $(@D)
-	@echo "  LD  $@"
-	@$(CC) $(CFLAGS) $^ -o $@
+include tests/precision/precision.mk
+include tests/vectors/vectors.mk
 
 TEST_OPTIONS := $(call remember,$(TEST_OUT)/options,$(CC) $(TEST_CFLAGS) $(TEST_LIBS))
 
