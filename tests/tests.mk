@@ -108,6 +108,8 @@ $(PAPER_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 	@echo "  LD  $@"
 	@$(CC) $(CFLAGS) $(filter %.o,$^) $(LIBRARY) -lm -o $@
 
+include tests/precision/precision.mk
+
 TEST_OPTIONS := $(call remember,$(TEST_OUT)/options,$(CC) $(TEST_CFLAGS) $(TEST_LIBS))
 
 $(TEST_OUT)/%.o: %.c $(TEST_OPTIONS)
