@@ -108,6 +108,9 @@ $(PAPER_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 	@echo "  LD  $@"
 	@$(CC) $(CFLAGS) $(filter %.o,$^) $(LIBRARY) -lm -o $@
 
+include tests/precision/precision.mk
+include tests/vectors/vectors.mk
+
 TEST_OPTIONS := $(call remember,$(TEST_OUT)/options,$(CC) $(TEST_CFLAGS) $(TEST_LIBS))
 
 $(TEST_OUT)/%.o: %.c $(TEST_OPTIONS)

@@ -1,0 +1,86 @@
+/*
+ * main.c - stages FOLDER: measures every stage; prints the section of the report and writes
+ * FOLDER/stages.csv.
+ */
+#include "stages.h"
+
+#include "papers/paper.h"
+
+#include <string.h>
+
+static const chapter *const chapters[] = {
+    &chapter_weights,
+};
+
+#define STAGES_MOST 128
+
+/* ---- The section -------------------------------------------------------------------------- */
+
+static void print_summary(const measured *all)
+{
+    printf("## 1 Stages\n\n"
+           "Errors are results less true values of the same input, in the unit of the row. The\n"
+           "bounds are derived below. RMS is over all inputs where all were measured, else over\n"
+           "random ones; there the worst error was searched for as section 1.0 says.\n\n"
+           "| stage | formats | rounding | unit of errors | bound | worst | RMS | inputs | "
+           "the worst one |\n"
+           "|---|---|---|---|---|---|---|---|---|\n");
+    for (size_t c = 0; c < COUNT(chapters); c++) {
+        for (size_t i = 0; i < chapters[c]->count; i++, all++) {
+            const stage *s = &chapters[c]->stages[i];
+            printf("| %s | %s | %s | %s | %.4g | %.4g | %.3g | %s | %s |\n", s->name, s->formats,
+                   s->rounding, s->unit, s->bound, all->worst, measured_rms(all), s->inputs,
+                   all->input);
+        }
+    }
+}
+
+static void print_chapters(const measured *all)
+{
+    for (size_t c = 0; c < COUNT(chapters); c++) {
+        printf("\n### 1.%zu %s\n\n%s", c + 1, chapters[c]->title, chapters[c]->derivation);
+        for (size_t i = 0; i < chapters[c]->count; i++, all++) {
+            const stage *s = &chapters[c]->stages[i];
+            printf("\n- **%s**: %.4g of at most %.4g (%s).%s%s", s->name, all->worst, s->bound,
+                   s->unit, s->reason != NULL ? " " : "", s->reason != NULL ? s->reason : "");
+        }
+        printf("\n");
+    }
+}
+
+/* ---- The table ------------------------------------------------------------------------------ */
+
+/* A text in quotes, of which none is in our tables. */
+static void write_row(FILE *csv, const stage *s, const measured *m, unsigned within)
+{
+    fprintf(csv, "%.6g,%.6g,%.4g,%u,%d,\"%s\",\"%s\",\"%s\",\"%s\",\"%s\",\"%s\"\n", s->bound,
+            m->worst, measured_rms(m), within, s->reason != NULL, s->name, s->formats, s->rounding,
+            s->unit, s->inputs, m->input);
+}
+
+static void write_table(const char *folder, const measured *all)
+{
+    FILE *csv = paper_open(folder, "stages.csv");
+    fprintf(csv, "bound,worst,rms,within,reason,stage,formats,rounding,unit,inputs,input\n");
+    for (size_t c = 0; c < COUNT(chapters); c++)
+        for (size_t i = 0; i < chapters[c]->count; i++)
+            write_row(csv, &chapters[c]->stages[i], all++, chapters[c]->within);
+    paper_close(csv);
+}
+
+int main(int count, char **argument)
+{
+    static measured all[STAGES_MOST];
+    measured *m = all;
+    paper_require(count == 2, "stages FOLDER");
+    for (size_t c = 0; c < COUNT(chapters); c++) {
+        for (size_t i = 0; i < chapters[c]->count; i++) {
+            paper_require(m < all + STAGES_MOST, "more stages than there is place for");
+            chapters[c]->stages[i].measure(m++, chapters[c]->stages[i].parameter);
+        }
+    }
+    print_summary(all);
+    print_chapters(all);
+    write_table(argument[1], all);
+    return 0;
+}
