@@ -127,6 +127,7 @@ $(PAPER_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 	@$(CC) $(CFLAGS) $(filter %.o,$^) $(LIBRARY) -lm -o $@
 
 include tests/precision/precision.mk
+include tests/vectors/vectors.mk
 
 TEST_OPTIONS := $(call remember,$(TEST_OUT)/options,$(CC) $(TEST_CFLAGS) $(TEST_LIBS))
 

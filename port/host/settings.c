@@ -6,6 +6,7 @@
 #include "parallel.h"
 #include "pixel_format.h"
 #include "settings_advise.h"
+#include "settings_cache.h"
 #include "settings_freevoxel.h"
 #include "settings_input.h"
 #include "settings_slices.h"
@@ -241,27 +242,6 @@ static void set_container(struct settings *settings, const char *option, const c
 static void set_strip(struct settings *settings, const char *option, const char *value)
 {
     settings->strip = (uint32_t)integer_between(option, value, 1, QV_PIXEL_MAX);
-}
-
-static void set_cache(struct settings *settings, const char *option, const char *value)
-{
-    settings->cache.pages = (uint32_t)integer_between(option, value, 1, UINT16_MAX);
-}
-
-static bool is_power_of_2(uint32_t width)
-{
-    return (width & (width - 1)) == 0;
-}
-
-static void set_page(struct settings *settings, const char *option, const char *value)
-{
-    uint32_t *page = settings->cache.page;
-    settings->cache.page_given = true;
-    if (!read_sizes(value, 3, QV_AXIS_MAX, page) || !is_power_of_2(page[0]) ||
-        !is_power_of_2(page[1]) || !is_power_of_2(page[2])) {
-        usage_error(option, "'%s' is not XxYxZ, each a power of 2 from 1 to %d", value,
-                    QV_AXIS_MAX);
-    }
 }
 
 /* One factor stands for all axes. */
