@@ -1,6 +1,6 @@
 # The precision report: a program for each section, of a folder of its own and what the papers'
 # programs share, or a script, section.sh. precision.sh puts the report together.
-PRECISION_SECTIONS := stages meaning
+PRECISION_SECTIONS := stages pictures meaning
 PRECISION_SCRIPTS := $(notdir $(patsubst %/section.sh,%,$(wildcard tests/precision/*/section.sh)))
 PRECISION_PROGRAMS := \
 	$(patsubst %,$(TEST_OUT)/precision/%,$(filter-out $(PRECISION_SCRIPTS),$(PRECISION_SECTIONS)))
@@ -15,6 +15,7 @@ precision: setup ## the precision report: tests/precision/REPORT.md, CSV and plo
 precision-programs: $(PRECISION_PROGRAMS) $(QVOL)
 
 $(TEST_OUT)/precision/stages: $(call precision_objects,stages)
+$(TEST_OUT)/precision/pictures: $(call precision_objects,pictures)
 
 $(PRECISION_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 	@mkdir -p $(@D)
