@@ -42,7 +42,7 @@ LIBRARY_SOURCES := $(sort $(wildcard core/*.c fixedpoint/*.c))
 # Marches of the target's own, see core/march.h; make MARCH= TARGET=... does with those in C.
 MARCH ?= $(TARGET_MARCH)
 ifneq ($(MARCH),)
-MARCH_CFLAGS := -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
+MARCH_CFLAGS := -Iport -I$(TARGET_PORT_FOLDER) -DQV_MARCH_HEADER='"$(MARCH)"'
 MARCH_OBJECTS := $(TARGET_MARCH_SOURCES:%.S=$(OUT)/%.o)
 endif
 # Passages likewise, see core/preweighted.h; make PASSAGE= TARGET=...
@@ -73,9 +73,11 @@ $(LIBRARY): $(LIBRARY_OBJECTS)
 
 # What is built depends on its options too. $(call remember,FILE,TEXT): FILE holds
 # TEXT and changes only when TEXT does; make -n, help and clean write nothing.
-QUIET_GOALS := $(filter help clean,$(MAKECMDGOALS))$(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
-remember = $(if $(QUIET_GOALS),$(wildcard $(1)),$(shell mkdir -p $(dir $(1)); \
-	printf '%s\n' '$(subst ','\'',$(2))' | cmp -s - $(1) || printf '%s\n' '$(subst ','\'',$(2))' > $(1))$(1))
+QUIET_GOALS := $(filter help clean,$(MAKECMDGOALS))
+QUIET_GOALS += $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
+remember = $(if $(strip $(QUIET_GOALS)),$(wildcard $(1)),$(shell mkdir -p $(dir $(1)); \
+	printf '%s\n' '$(subst ','\'',$(2))' | cmp -s - $(1) || \
+	printf '%s\n' '$(subst ','\'',$(2))' > $(1))$(1))
 
 OPTIONS := $(call remember,$(OUT)/options,$(TARGET_CC) $(LIBRARY_CFLAGS))
 
@@ -176,7 +178,9 @@ test-exhaustive: ## every input of every fixed-point function: an hour or so
 # ---- Installation ---------------------------------------------------------------
 
 .PHONY: install
-install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL) $(MPI_COMMAND)) ## header, archive, pkg-config file and commands below PREFIX
+COMMANDS := $(if $(filter host,$(TARGET)),$(QVOL) $(MPI_COMMAND))
+
+install: $(LIBRARY) $(COMMANDS) ## header, archive, pkg-config file and commands below PREFIX
 	install -d "$(DESTDIR)$(PREFIX)/include" "$(DESTDIR)$(PREFIX)/lib/pkgconfig"
 	install -m 644 core/qvol.h "$(DESTDIR)$(PREFIX)/include/qvol.h"
 	install -m 644 $(LIBRARY) "$(DESTDIR)$(PREFIX)/lib/libqvol.a"
@@ -186,7 +190,7 @@ install: $(LIBRARY) $(if $(filter host,$(TARGET)),$(QVOL) $(MPI_COMMAND)) ## hea
 		> "$(DESTDIR)$(PREFIX)/lib/pkgconfig/qvol.pc"
 ifeq ($(TARGET),host)
 	install -d "$(DESTDIR)$(PREFIX)/bin"
-	install -m 755 $(QVOL) $(MPI_COMMAND) "$(DESTDIR)$(PREFIX)/bin"
+	install -m 755 $(COMMANDS) "$(DESTDIR)$(PREFIX)/bin"
 endif
 
 # ---- Packages: port/README.md says how to take them home ------------------------------
@@ -205,6 +209,10 @@ $(AMALGAMATION): toolchain/amalgamate $(LIBRARY_SOURCES) $(wildcard core/*.h fix
 # ---- Care -----------------------------------------------------------------------
 
 C_FILES = $(shell find core fixedpoint port tests -name '*.[ch]')
+SHELL_TOOLS := $(addprefix toolchain/,setup demo emulate dist) tests/run .ci/run
+
+# What ports name headers in: static analysis takes none of these.
+PORT_HEADERS := QV_MEMORY_HEADER FX_TABLE_HEADER QV_MARCH_HEADER QV_PASSAGE_HEADER
 
 .PHONY: format lint readme clean help
 format: ## lay out every C file by .clang-format
@@ -213,9 +221,9 @@ format: ## lay out every C file by .clang-format
 lint: ## layout, static analysis, shell scripts
 	clang-format --dry-run --Werror $(C_FILES)
 	cppcheck -j 2 --std=c99 --quiet --error-exitcode=1 --enable=warning,portability,performance \
-		--inline-suppr --suppress=missingIncludeSystem -UQV_MEMORY_HEADER -UFX_TABLE_HEADER -UQV_MARCH_HEADER -UQV_PASSAGE_HEADER \
+		--inline-suppr --suppress=missingIncludeSystem $(PORT_HEADERS:%=-U%) \
 		-Icore -Ifixedpoint core fixedpoint
-	shellcheck -S warning toolchain/setup toolchain/demo toolchain/emulate toolchain/dist tests/run $$(find tests port -name '*.sh') .ci/run
+	shellcheck -S warning $(SHELL_TOOLS) $$(find tests port -name '*.sh')
 
 readme: ## write the figures of README.md anew
 	tests/bench/readme.sh

@@ -106,8 +106,9 @@ FX_INLINE void qv_march_back(qv_light *light, qv_ray *ray, const qv_context *con
 
 /*
  * A target with marches of its own, in vectors or in assembly, names a header in
- * QV_MARCH_HEADER that defines qv_march_twin: it does the same as qv_march, or qv_march_back if `back` is set, to the
- * last bit, and returns 1; or it does nothing and returns 0, for scenes that it leaves alone.
+ * QV_MARCH_HEADER that defines qv_march_twin: it does the same as qv_march, or qv_march_back if
+ * `back` is set, to the last bit, and returns 1; or it does nothing and returns 0, for scenes that
+ * it leaves alone.
  */
 #ifdef QV_MARCH_HEADER
 #include QV_MARCH_HEADER

@@ -88,6 +88,7 @@ FX_INLINE int qv_look_at_levels(qv_sample *sample, const qv_ray *ray, const qv_s
     qv_blend_samples(sample, &coarser, share);
     return 1;
 }
+
 FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *context,
                                unsigned storage, const qv_family *family, qv_look *look)
 {

@@ -1,6 +1,5 @@
 /*
- * firmware_head.c - a turning head on the board's panel: volume and palette stay in flash, the
- * picture never exists as a whole in RAM.
+ * firmware_head.c - a turning head on the board's panel: volume and palette stay in flash.
  *
  * The volume is written by `qvol classify`, the view by toolchain/view_header; both by the rules
  * of toolchain/shared/head.mk. The head turns for ever; told a number, the program shows that frame of
@@ -9,20 +8,17 @@
 #include <stdbool.h>
 #include PANEL_HEADER
 #include "console.h"
-#include "crc32.h"
 #include "head_view.h"
 #include "machine.h"
-#include "measure.h"
-#include "qvol.h"
+#include "panel_show.h"
 #include "semihosting.h"
 #include "stack.h"
 
-enum { STRIP_ROWS = 8, FOREVER = -1, ONE_TURN = -2 };
+enum { FOREVER = -1, ONE_TURN = -2 };
 
 extern const qv_volume head_volume;
 
 static qv_context context;
-static uint8_t strip[STRIP_ROWS][PANEL_ROW_BYTES];
 
 static qv_status make_context(uint32_t frame)
 {
@@ -41,29 +37,12 @@ static qv_status make_context(uint32_t frame)
     return status == QV_OK ? qv_init(&context, &scene) : status;
 }
 
-/* Renders strip after strip; each goes to the panel and into the checksum. */
-static qv_status draw(uint32_t *checksum)
-{
-    const qv_image image = {strip, sizeof strip, sizeof strip[0], &PANEL_FORMAT};
-    qv_status status = QV_OK;
-    *checksum = 0;
-    for (int32_t top = 0; top < PANEL_HEIGHT && status == QV_OK; top += STRIP_ROWS) {
-        const qv_rect rect = {0, top, PANEL_WIDTH, top + STRIP_ROWS};
-        measure_begin();
-        status = qv_render(&image, &context, &rect);
-        measure_end();
-        panel_rows((uint32_t)top, strip[0], STRIP_ROWS);
-        *checksum = crc32_update(*checksum, strip, sizeof strip);
-    }
-    return status;
-}
-
 static qv_status show(uint32_t frame)
 {
     uint32_t checksum;
     qv_status status = make_context(frame);
     if (status == QV_OK)
-        status = draw(&checksum);
+        status = panel_show(&checksum, &context);
     if (status != QV_OK) {
         console_text(qv_status_text(status));
     } else {

@@ -5,16 +5,13 @@
 #include PANEL_HEADER
 #include "ball.h"
 #include "console.h"
-#include "crc32.h"
 #include "machine.h"
-
-enum { STRIP_ROWS = 8 };
+#include "panel_show.h"
 
 #define AZIMUTH   0x15555555u /* 30 degrees */
 #define ELEVATION 0x0E38E38Eu /* 20 degrees */
 
 static qv_context context;
-static uint8_t strip[STRIP_ROWS][PANEL_ROW_BYTES];
 
 static qv_status start(void)
 {
@@ -32,26 +29,13 @@ static qv_status start(void)
     return status == QV_OK ? qv_init(&context, &scene) : status;
 }
 
-static qv_status draw(uint32_t *checksum)
-{
-    const qv_image image = {strip, sizeof strip, sizeof strip[0], &PANEL_FORMAT};
-    qv_status status = QV_OK;
-    for (int32_t top = 0; top < PANEL_HEIGHT && status == QV_OK; top += STRIP_ROWS) {
-        const qv_rect rows = {0, top, PANEL_WIDTH, top + STRIP_ROWS};
-        status = qv_render(&image, &context, &rows);
-        panel_rows((uint32_t)top, strip[0], STRIP_ROWS);
-        *checksum = crc32_update(*checksum, strip, sizeof strip);
-    }
-    return status;
-}
-
 int main(void)
 {
-    uint32_t checksum = 0;
+    uint32_t checksum;
     panel_start();
     qv_status status = start();
     if (status == QV_OK)
-        status = draw(&checksum);
+        status = panel_show(&checksum, &context);
     if (status != QV_OK) {
         console_text(qv_status_text(status));
         return 1;

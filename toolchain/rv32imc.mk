@@ -2,7 +2,7 @@
 TARGET_CPU := -march=rv32imc -mabi=ilp32
 TARGET_EMULATED_CPU := rv32,a=off,f=off,d=off,h=off,s=off,u=off
 # Marches, see core/march.h.
-TARGET_MARCH := ../cortex-m/march_walk.h
+TARGET_MARCH := march_walk.h
 TARGET_MARCH_SOURCES := port/riscv/march_rv32im.S
 include toolchain/shared/riscv.mk
 

@@ -34,6 +34,23 @@ static uint8_t shift_of(uint32_t width)
     return shift;
 }
 
+/* Refuses what qv_pages_init does not number in 32 bits: bytes of a page, and bricks. */
+static void check_page(const qv_pages *pages, const qv_volume *volume)
+{
+    uint64_t bytes = qv_page_bytes(pages->shift, volume->size, volume->storage), bricks = 1;
+    for (unsigned a = 0; a < 3; a++) {
+        bricks *= ((volume->size[a] - 1u) >> pages->shift[a]) + 1u; /* at most 2^36 in all */
+    }
+    if (bytes > UINT32_MAX) {
+        usage_error("--page", "a page of %llu bytes is larger than %lu", (unsigned long long)bytes,
+                    (unsigned long)UINT32_MAX);
+    }
+    if (bricks >= UINT32_MAX) {
+        usage_error("--page", "%llu bricks are more than %lu", (unsigned long long)bricks,
+                    (unsigned long)UINT32_MAX - 1);
+    }
+}
+
 static void set_memory(qv_pages *pages, const qv_volume *volume, uint32_t count)
 {
     uint64_t bytes = qv_page_bytes(pages->shift, volume->size, volume->storage) * count;
@@ -57,10 +74,12 @@ void paging_create(struct paging *paging, qv_volume *volume, const struct settin
         paging->file.size[a] = volume->size[a];
         pages->shift[a] = shift_of(settings->cache.page[a]);
     }
+    check_page(pages, volume);
     set_memory(pages, volume, settings->cache.pages);
     volume->pages = pages;
-    if (qv_pages_init(pages, volume) != QV_OK) {
-        usage_error("--page", "more bricks than there are numbers");
+    qv_status status = qv_pages_init(pages, volume);
+    if (status != QV_OK) {
+        usage_error("--cache", "%s", qv_status_text(status));
     }
 }
 

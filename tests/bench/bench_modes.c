@@ -3,44 +3,17 @@
  */
 #include "bench_modes.h"
 
+#define STORED(storage) BENCH_MODE(storage, extinction), BENCH_MODE(storage, bspline_extinction)
+#define STEPS(storage)                                                                             \
+    BENCH_MODE(storage, nearest), BENCH_MODE(storage, separate), BENCH_MODE(storage, weighted)
+#define ALL(storage)                                                                               \
+    STEPS(storage), BENCH_MODE(storage, corrected), BENCH_MODE(storage, bspline_weighted),         \
+        STORED(storage)
+
 const bench_mode bench_modes[] = {
-    {"rgba8", "nearest", &qv_nearest_rgba8},
-    {"rgba8", "separate", &qv_separate_rgba8},
-    {"rgba8", "weighted", &qv_weighted_rgba8},
-    {"associated8", "preweighted", &qv_preweighted_associated8},
-    {"rgba8", "corrected", &qv_corrected_rgba8},
-    {"rgba8", "extinction", &qv_extinction_rgba8},
-    {"rgba8", "bspline_weighted", &qv_bspline_weighted_rgba8},
-    {"rgba8", "bspline_extinction", &qv_bspline_extinction_rgba8},
-    {"rgba16", "nearest", &qv_nearest_rgba16},
-    {"rgba16", "separate", &qv_separate_rgba16},
-    {"rgba16", "weighted", &qv_weighted_rgba16},
-    {"rgba16", "corrected", &qv_corrected_rgba16},
-    {"rgba16", "extinction", &qv_extinction_rgba16},
-    {"rgba16", "bspline_weighted", &qv_bspline_weighted_rgba16},
-    {"rgba16", "bspline_extinction", &qv_bspline_extinction_rgba16},
-    {"indexed8", "nearest", &qv_nearest_indexed8},
-    {"indexed8", "separate", &qv_separate_indexed8},
-    {"indexed8", "weighted", &qv_weighted_indexed8},
-    {"indexed8", "corrected", &qv_corrected_indexed8},
-    {"indexed8", "extinction", &qv_extinction_indexed8},
-    {"indexed8", "bspline_weighted", &qv_bspline_weighted_indexed8},
-    {"indexed8", "bspline_extinction", &qv_bspline_extinction_indexed8},
-    {"indexed8_16", "nearest", &qv_nearest_indexed8_16},
-    {"indexed8_16", "separate", &qv_separate_indexed8_16},
-    {"indexed8_16", "weighted", &qv_weighted_indexed8_16},
-    {"indexed8_16", "corrected", &qv_corrected_indexed8_16},
-    {"indexed8_16", "extinction", &qv_extinction_indexed8_16},
-    {"indexed8_16", "bspline_weighted", &qv_bspline_weighted_indexed8_16},
-    {"indexed8_16", "bspline_extinction", &qv_bspline_extinction_indexed8_16},
-    {"rgbt8", "extinction", &qv_extinction_rgbt8},
-    {"rgbt8", "bspline_extinction", &qv_bspline_extinction_rgbt8},
-    {"rgbt16", "extinction", &qv_extinction_rgbt16},
-    {"rgbt16", "bspline_extinction", &qv_bspline_extinction_rgbt16},
-    {"indexed8_t8", "extinction", &qv_extinction_indexed8_t8},
-    {"indexed8_t8", "bspline_extinction", &qv_bspline_extinction_indexed8_t8},
-    {"indexed8_t16", "extinction", &qv_extinction_indexed8_t16},
-    {"indexed8_t16", "bspline_extinction", &qv_bspline_extinction_indexed8_t16},
+    ALL(rgba8),          ALL(rgba16),          ALL(indexed8),
+    ALL(indexed8_16),    STORED(rgbt8),        STORED(rgbt16),
+    STORED(indexed8_t8), STORED(indexed8_t16), BENCH_MODE(associated8, preweighted),
 };
 
 const unsigned bench_mode_count = sizeof bench_modes / sizeof *bench_modes;

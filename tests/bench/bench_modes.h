@@ -13,6 +13,12 @@ typedef struct bench_mode {
     const qv_sampling *sampling;
 } bench_mode;
 
+/* An element of the list: qv_MODE_STORAGE. */
+#define BENCH_MODE(storage, mode)                                                                  \
+    {                                                                                              \
+#storage, #mode, &qv_##mode##_##storage                                                    \
+    }
+
 extern const bench_mode bench_modes[];
 extern const unsigned bench_mode_count;
 

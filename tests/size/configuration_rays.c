@@ -1,5 +1,6 @@
 /*
- * configuration_rays.c - a ray caster: both cameras, a few pixels a call, voxels classified on the device.
+ * configuration_rays.c - a ray caster: both cameras, a few pixels a call, voxels classified on the
+ * device.
  */
 #include "size.h"
 

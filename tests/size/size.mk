@@ -1,5 +1,6 @@
 # Programs whose sizes are measured, each with one capability more than a ray caster's (size.h);
-# "library" is all of the library at once, for its deepest stack. For any target: device.mk includes this file.
+# "library" is all of the library at once, for its deepest stack. For any target: device.mk includes
+# this file.
 #
 #     $(OUT)/size_NAME.report    figures of one of them, see measure.sh
 #     $(OUT)/sizes               those of all
@@ -19,11 +20,13 @@ $(OUT)/sizes: $(SIZE_REPORTS)
 
 $(OUT)/size_%.report: $(OUT)/size_%.elf $(SIZE_TOOLS) | $(TARGET_EMULATOR_NEEDS)
 	@echo "  GEN $@"
-	@BUILD=$(BUILD) tests/size/measure.sh $(TARGET) $* $(if $(TARGET_COUNT),$(TARGET_CC:gcc=objdump)) >$@
+	@BUILD=$(BUILD) tests/size/measure.sh $(TARGET) $* \
+		$(if $(TARGET_COUNT),$(TARGET_CC:gcc=objdump)) >$@
 
 # Runs nowhere, so it may be larger than the target's flash.
 $(OUT)/size_library.elf: $(LIBRARY) $(filter %/bytes.o,$(DEVICE_OBJECTS))
 	@echo "  LD  $@"
-	@$(TARGET_CC) $(TARGET_CFLAGS) -nostdlib -static -Wl,-e,0,--defsym=__TEXT_REGION_LENGTH__=0x400000 \
+	@$(TARGET_CC) $(TARGET_CFLAGS) -nostdlib -static \
+		-Wl,-e,0,--defsym=__TEXT_REGION_LENGTH__=0x400000 \
 		-Wl,--whole-archive $< -Wl,--no-whole-archive $(filter %.o,$^) \
 		$(or $(TARGET_LDLIBS),-lgcc -lc -lgcc) -Wl,-Map,$(@:.elf=.map) -o $@

@@ -10,15 +10,15 @@ TARGET_EMULATOR := qemu-system-arm -M $(TARGET_BOARD) -icount shift=8,sleep=off
 TARGET_PORT_FOLDER := port/cortex-m
 TARGET_PORT := $(addprefix port/cortex-m/,startup.c measure.c)
 
-# Armv6-M has the 16-bit instructions of Thumb alone.
-ARMV6M := $(filter -mcpu=cortex-m0%,$(TARGET_CPU))
+# Armv6-M, and Armv8-M without its main extension, compute with the 16-bit instructions of Thumb.
+THUMB1 := $(filter -mcpu=cortex-m0% -mcpu=cortex-m1% -mcpu=cortex-m23%,$(TARGET_CPU))
 
 # Marches (core/march.h): of a header, with what it needs in assembly.
 TARGET_MARCH ?= march_walk.h
-TARGET_MARCH_SOURCES ?= port/cortex-m/march_$(if $(ARMV6M),thumb1,thumb2).S
+TARGET_MARCH_SOURCES ?= port/cortex-m/march_$(if $(THUMB1),thumb1,thumb2).S
 
 # Sampling of associated colours in assembly (core/preweighted.h).
-TARGET_PASSAGE ?= passage_$(if $(ARMV6M),v6m,v7m).h
+TARGET_PASSAGE ?= passage_$(if $(THUMB1),v6m,v7m).h
 
 include toolchain/shared/firmware.mk
 

@@ -34,8 +34,9 @@ FIRMWARE_pages := port/firmware_pages.c $(BALL_IN_FLASH)
 FIRMWARE_freevoxels := tests/bench/freevoxels_device.c $(BALL_IN_FLASH)
 ifdef TARGET_PANEL
 TARGET_FIRMWARE += head picture
-FIRMWARE_picture := port/firmware_picture.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL).c $(BALL_IN_FLASH)
-FIRMWARE_head := port/firmware_head.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL).c $(OUT)/head.c
+ON_PANEL := port/panel_show.c $(TARGET_PORT_FOLDER)/$(TARGET_PANEL).c
+FIRMWARE_picture := port/firmware_picture.c $(ON_PANEL) $(BALL_IN_FLASH)
+FIRMWARE_head := port/firmware_head.c $(ON_PANEL) $(OUT)/head.c
 endif
 
 # What the target's own marches compute beside what C does.

@@ -54,6 +54,7 @@ $(OUT)/head_view.h: $(OUT)/frame0.json
 	@toolchain/view_header $< >$@
 
 $(OUT)/port/firmware_head.o: $(OUT)/head_view.h
-$(OUT)/port/firmware_head.o: TARGET_PORT_CFLAGS += -DPANEL_HEADER='"$(TARGET_PANEL).h"' \
+$(OUT)/port/firmware_head.o: TARGET_PORT_CFLAGS += \
 	-DHEAD_FRAMES=$(HEAD_FRAMES)u -DHEAD_SAMPLING=qv_weighted_$(HEAD_STORAGE)
-$(OUT)/port/firmware_picture.o: TARGET_PORT_CFLAGS += -DPANEL_HEADER='"$(TARGET_PANEL).h"'
+$(addprefix $(OUT)/port/,firmware_head.o firmware_picture.o panel_show.o): \
+	TARGET_PORT_CFLAGS += -DPANEL_HEADER='"$(TARGET_PANEL).h"'

@@ -1,11 +1,16 @@
 /*
- * march_walk.h - marches in assembly (QV_MARCH_HEADER): opacity-weighted samples of 8-bit
- * entries. All of them for Arm cores with Thumb-2, march_thumb2.S; from front to back those of
- * RGBA8 for Arm cores without, march_thumb1.S, and for RISC-V with multiplication,
- * march_rv32im.S.
+ * march_walk.h - marches in assembly (QV_MARCH_HEADER), of opacity-weighted samples of 8-bit
+ * entries, for families that share how a ray is handed to it. It lies in cortex-m/march_thumb2.S
+ * (all of them), in cortex-m/march_thumb1.S and riscv/march_rv32im.S (RGBA8, from front to back);
+ * what there is no assembly for is left to the C of core/march.h, which includes this file.
  */
 #ifndef MARCH_WALK_H
 #define MARCH_WALK_H
+
+#include "composite.h"
+#include "march.h"
+#include "ray.h"
+#include "storage.h"
 
 /* An axis of a walk. */
 typedef struct walk_axis {
