@@ -101,13 +101,11 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     }
 }
 
-/* How a family looks at a volume: as part of the loop, or apart from it. */
-#define QV_LOOK(family, look_apart) ((family)->apart ? look_apart : qv_look_at_volume)
-
 /*
  * Defines the sampling mode qv_MODE_SUFFIX of a family for a storage, in both orders.
- * Macros because the descriptors are public names; the code is qv_march_lengths. A ray is clipped
- * before the loop over its pieces has its stack frame.
+ * Macros because the descriptors are public names; the code is qv_march_lengths. A sample is made
+ * apart from the loop over pieces: what it takes of the stack is gone when the next run is looked
+ * for.
  */
 #define QV_DEFINE_BY_LENGTH(mode, suffix, prepare, family, read_out, storage)                      \
     static FX_NOINLINE int look_##suffix(qv_sample *sample, const qv_ray *ray,                     \
@@ -121,13 +119,12 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
     static FX_NOINLINE void pieces_##suffix(qv_light *light, qv_ray *ray,                          \
                                             const qv_context *context)                             \
     {                                                                                              \
-        qv_march_lengths(light, ray, context, storage, family, QV_LOOK(family, look_##suffix));    \
+        qv_march_lengths(light, ray, context, storage, family, look_##suffix);                     \
     }                                                                                              \
     static FX_NOINLINE void pieces_back_##suffix(qv_light *light, qv_ray *ray,                     \
                                                  const qv_context *context)                        \
     {                                                                                              \
-        qv_march_lengths_back(light, ray, context, storage, family,                                \
-                              QV_LOOK(family, look_##suffix));                                     \
+        qv_march_lengths_back(light, ray, context, storage, family, look_##suffix);                \
     }                                                                                              \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \

@@ -21,9 +21,10 @@ static void finish(qv_pixel *pixel, const qv_light *light, const qv_context *con
 }
 
 /* The light of a pixel's ray. */
-static void trace(qv_light *light, qv_progress *progress, const qv_context *context, int32_t x,
-                  int32_t y)
+static void trace(qv_light *light, qv_progress *progress, const qv_context *context,
+                  const qv_rect *rect)
 {
+    int32_t x = rect->left + progress->column, y = rect->top + progress->line;
     qv_ray ray;
     if (QV_FIELD(context->scene.camera.projection, ray)(&ray, context, x, y)) {
         QV_FIELD(context->scene.sampling, march)(light, &ray, context);
@@ -34,25 +35,25 @@ static void trace(qv_light *light, qv_progress *progress, const qv_context *cont
 }
 
 /* Its pixel is made when the ray is gone: the stack holds one of them at a time. */
-static void put_light(const qv_image *image, const qv_progress *at, const qv_context *context,
-                      const qv_light *light, int32_t x, int32_t y)
+static FX_NOINLINE void put_light(const qv_image *image, const qv_progress *at,
+                                  const qv_context *context, const qv_light *light,
+                                  const qv_rect *rect)
 {
     unsigned column = at->column, line = at->line;
     ptrdiff_t offset = (ptrdiff_t)(line >> QV_FIELD(image->format, line_shift)) * image->stride;
     qv_pixel pixel;
     finish(&pixel, light, context);
-    pixel.x = (uint32_t)x;
-    pixel.y = (uint32_t)y;
+    pixel.x = (uint32_t)(rect->left + at->column);
+    pixel.y = (uint32_t)(rect->top + at->line);
     QV_FIELD(image->format, store)((uint8_t *)image->pixels + offset, column, line, &pixel);
 }
 
 static void render_next(const qv_image *image, qv_progress *progress, const qv_context *context,
                         const qv_rect *rect)
 {
-    int32_t x = rect->left + progress->column, y = rect->top + progress->line;
     qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
-    trace(&light, progress, context, x, y);
-    put_light(image, progress, context, &light, x, y);
+    trace(&light, progress, context, rect);
+    put_light(image, progress, context, &light, rect);
 }
 
 qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_context *context,
@@ -61,12 +62,11 @@ qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_
     qv_status status = context ? qv_image_check(image, progress, rect) : QV_ERROR_NULL;
     if (status != QV_OK)
         return status;
-    int32_t width = rect->right - rect->left, height = rect->bottom - rect->top;
-    for (uint32_t left = max_pixels; progress->line != height; left--) {
+    for (uint32_t left = max_pixels; rect->top + progress->line != rect->bottom; left--) {
         if (left == 0)
             return QV_MORE;
         render_next(image, progress, context, rect);
-        if (++progress->column == width) {
+        if (rect->left + ++progress->column == rect->right) {
             progress->column = 0;
             progress->line++;
         }
