@@ -5,6 +5,7 @@
 #include "direction.h"
 #include "entry.h"
 #include "fx_log.h"
+#include "fx_wide.h"
 #include "overlap.h"
 #include "pyramid.h"
 #include "thickness.h"
@@ -204,7 +205,7 @@ static int in_gaps(const qv_volume *volume, const void *to, const qv_attenuation
     uint16_t record = qv_attenuation_record(attenuation);
     uintptr_t distance;
     for (unsigned axis = 0; axis < 3; axis++)
-        if (volume->size[axis] != 1 && volume->stride[axis] % record != 0)
+        if (volume->size[axis] != 1 && fx_magnitude(volume->stride[axis]) % record != 0)
             return 0;
     if (!qv_distance(&distance, to, volume->voxels))
         return 1;

@@ -45,7 +45,7 @@ static void sort_axes(unsigned axis[3], const int32_t v[3])
 {
     for (unsigned i = 0; i < 3; i++) {
         unsigned place = i;
-        for (; place > 0 && qv_magnitude(v[axis[place - 1u]]) < qv_magnitude(v[i]); place--)
+        for (; place > 0 && fx_magnitude(v[axis[place - 1u]]) < fx_magnitude(v[i]); place--)
             axis[place] = axis[place - 1u];
         axis[place] = i;
     }
@@ -104,7 +104,7 @@ static FX_NOINLINE void split(unsigned axis[3], uint32_t part[4], const int32_t 
     sort_axes(axis, v);
     part[0] = ONE_Q30;
     for (unsigned i = 1; i < 3; i++)
-        part[i] = share_of(qv_magnitude(v[axis[i]]), qv_magnitude(v[axis[0]]));
+        part[i] = share_of(fx_magnitude(v[axis[i]]), fx_magnitude(v[axis[0]]));
     part[3] = 0;
 }
 
@@ -151,7 +151,7 @@ static int64_t cosine_of(const qv_compass *compass, const int32_t w[3], const in
         if (step[axis] == 0)
             continue;
         int64_t product =
-            (int64_t)(fx_wide_product(qv_magnitude(w[axis]), compass->side[axis]) >> 31);
+            (int64_t)(fx_wide_product(fx_magnitude(w[axis]), compass->side[axis]) >> 31);
         dot += (w[axis] < 0) == (step[axis] < 0) ? product : -product;
     }
     return fx_multiply(dot, (int32_t)(compass->inverse[axes_of(step)] >> 1)); /* < 2^32 * 2^31 */
@@ -162,7 +162,7 @@ static void to_world(int32_t world[3], uint32_t size[3], const qv_compass *compa
                      const int32_t v[3])
 {
     for (unsigned axis = 0; axis < 3; axis++) {
-        size[axis] = (uint32_t)(fx_wide_product(qv_magnitude(v[axis]), compass->side[axis]) >> 31);
+        size[axis] = (uint32_t)(fx_wide_product(fx_magnitude(v[axis]), compass->side[axis]) >> 31);
         world[axis] = v[axis] < 0 ? -(int32_t)size[axis] : (int32_t)size[axis];
     }
 }
@@ -212,7 +212,7 @@ static int is_along(const int32_t v[3], const int8_t step[3])
 {
     uint32_t largest = qv_bearing_largest(v);
     for (unsigned axis = 0; axis < 3; axis++)
-        if (qv_magnitude(v[axis]) != (step[axis] != 0 ? largest : 0u))
+        if (fx_magnitude(v[axis]) != (step[axis] != 0 ? largest : 0u))
             return 0;
     return 1;
 }

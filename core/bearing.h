@@ -12,6 +12,7 @@
 #define QV_BEARING_H
 
 #include "fx_inline.h"
+#include "fx_wide.h"
 #include "access.h"
 #include "qvol.h"
 
@@ -61,17 +62,12 @@ static inline int qv_bearing_leads(const int64_t v[3])
    (or, negative, doubled). v is not 0. */
 int qv_bearing_scale(int32_t scaled[3], const int64_t v[3]);
 
-static inline uint32_t qv_magnitude(int32_t v)
-{
-    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
-}
-
 /* The largest magnitude of the components. */
 static inline uint32_t qv_bearing_largest(const int32_t v[3])
 {
     uint32_t largest = 0;
     for (unsigned axis = 0; axis < 3; axis++)
-        largest = qv_magnitude(v[axis]) > largest ? qv_magnitude(v[axis]) : largest;
+        largest = fx_magnitude(v[axis]) > largest ? fx_magnitude(v[axis]) : largest;
     return largest;
 }
 

@@ -41,7 +41,7 @@ static FX_NOINLINE int is_rotation(const int32_t rotation[3][3])
     for (unsigned row = 0; row < 3; row++) {
         uint32_t v[3];
         for (unsigned axis = 0; axis < 3; axis++)
-            v[axis] = qv_magnitude(rotation[row][axis]);
+            v[axis] = fx_magnitude(rotation[row][axis]);
         uint32_t length = qv_length_of(v);
         if (length < ONE_Q30 - ROW_TOLERANCE || length > ONE_Q30 + ROW_TOLERANCE)
             return 0;
@@ -81,7 +81,7 @@ static FX_NOINLINE qv_status check(const qv_splat_scene *scene)
    row * spacing / (2 pitch), where row * spacing * 2 < 2^56. */
 static int64_t half_in_pixels(int32_t row, uint32_t spacing, uint32_t pitch)
 {
-    uint64_t size = fx_wide_product(qv_magnitude(row), spacing) << 1;
+    uint64_t size = fx_wide_product(fx_magnitude(row), spacing) << 1;
     int64_t pixels = (int64_t)fx_divide(size + pitch / 2u, pitch);
     return row < 0 ? -pixels : pixels;
 }
@@ -93,7 +93,7 @@ static fx_scaled width_across(const int32_t row[3], const uint32_t spacing[3])
     uint32_t v[3];
     for (unsigned axis = 0; axis < 3; axis++) /* Q30 * Q16 to Q23, at most 2^31 + 2^21 */
         v[axis] =
-            (uint32_t)(fx_wide_product(qv_magnitude(row[axis]), qv_spacing(spacing, axis)) >> 23);
+            (uint32_t)(fx_wide_product(fx_magnitude(row[axis]), qv_spacing(spacing, axis)) >> 23);
     return fx_scaled_of(qv_length_of(v), -23);
 }
 

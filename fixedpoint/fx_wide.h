@@ -30,6 +30,12 @@ static inline uint32_t fx_product16(uint16_t a, uint16_t b)
     return (uint32_t)a * b;
 }
 
+/* |v|, also of -2^31. */
+static inline uint32_t fx_magnitude(int32_t v)
+{
+    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
+}
+
 /* a * b, exact: the form for machines without a wide multiplication. */
 uint64_t fx_wide_product_narrow(uint32_t a, uint32_t b);
 

@@ -91,6 +91,24 @@ $(RECOMMEND_GENERATOR): $(TEST_OUT)/tests/recommend/recommend.o $(REFERENCE_OBJE
 	@echo "  LD  $@"
 	@$(CC) $(CFLAGS) $^ -lm -o $@
 
+# The errors of `qvol advise`, and its table with what modes cost on devices.
+ADVISE_ERRORS := $(TEST_OUT)/advise/errors
+ADVISE_TARGETS := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 cortex-m55 rv32imc rv32ec avr \
+	powerpc host-gcc
+
+.PHONY: advise
+advise: $(ADVISE_ERRORS) ## measure the table of qvol advise anew: some minutes
+	{ $(ADVISE_ERRORS) && tests/bench/advise.sh costs $(ADVISE_TARGETS); } >$(BUILD)/advise
+	tests/bench/advise.sh table <$(BUILD)/advise >$(BUILD)/advise_table.h
+	cp $(BUILD)/advise_table.h port/host/advise_table.h
+
+ADVISE_SOURCES := $(wildcard tests/advise/*.c tests/papers/*.c) tests/bench/bench_modes.c
+
+$(ADVISE_ERRORS): $(ADVISE_SOURCES:%.c=$(TEST_OUT)/%.o) $(REFERENCE_OBJECTS) $(LIBRARY)
+	@mkdir -p $(@D)
+	@echo "  LD  $@"
+	@$(CC) $(CFLAGS) $(filter %.o,$^) $(LIBRARY) -lm -o $@
+
 # The papers' figures: a program for each paper, of a folder of its own and what all share.
 PAPER_PROGRAMS := $(addprefix $(TEST_OUT)/papers/,wittenbrink kraus dithering freevoxels)
 paper_objects = $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/papers/*.c tests/papers/$(1)/*.c))
@@ -109,6 +127,7 @@ $(PAPER_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 	@$(CC) $(CFLAGS) $(filter %.o,$^) $(LIBRARY) -lm -o $@
 
 include tests/precision/precision.mk
+include tests/vectors/vectors.mk
 
 TEST_OPTIONS := $(call remember,$(TEST_OUT)/options,$(CC) $(TEST_CFLAGS) $(TEST_LIBS))
 

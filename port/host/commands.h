@@ -13,5 +13,6 @@ int command_classify(const struct settings *settings);
 int command_pyramid(const struct settings *settings);
 int command_freevoxel(const struct settings *settings);
 int command_splat(const struct settings *settings);
+int command_advise(const struct settings *settings);
 
 #endif

@@ -5,8 +5,10 @@
 #include "error.h"
 #include "parallel.h"
 #include "pixel_format.h"
+#include "settings_advise.h"
 #include "settings_cache.h"
 #include "settings_freevoxel.h"
+#include "settings_input.h"
 #include "settings_slices.h"
 
 #include <stddef.h>
@@ -60,55 +62,8 @@ const choice domain_names[] = {
 
 static const choice order_names[] = {
     {"front-to-back", ORDER_FRONT_TO_BACK}, {"back-to-front", ORDER_BACK_TO_FRONT}, {NULL, 0}};
-static const choice endian_names[] = {{"little", 0}, {"big", 1}, {NULL, 0}};
 static const choice container_names[] = {
     {"png", CONTAINER_PNG}, {"pam", CONTAINER_PAM}, {"raw", CONTAINER_RAW}, {NULL, 0}};
-
-/* Of a file or a preset. */
-static void keep_name(const char **name, const char *option, const char *value)
-{
-    if (value[0] == '\0') {
-        usage_error(option, "the name is empty");
-    }
-    *name = value;
-}
-
-static void set_dims(struct settings *settings, const char *option, const char *value)
-{
-    if (!read_sizes(value, 3, QV_AXIS_MAX, settings->raw.size)) {
-        usage_error(option, "'%s' is not XxYxZ, each 1 to %d", value, QV_AXIS_MAX);
-    }
-}
-
-static void set_type(struct settings *settings, const char *option, const char *value)
-{
-    settings->raw.type = choose(option, value, raw_type_names);
-}
-
-static void set_skip(struct settings *settings, const char *option, const char *value)
-{
-    settings->raw.skip = integer_between(option, value, 0, INT64_MAX / 2);
-}
-
-static void set_spacing(struct settings *settings, const char *option, const char *value)
-{
-    double *spacing = settings->raw.spacing;
-    if (!read_decimals(value, 'x', 3, spacing) || spacing[0] <= 0 || spacing[1] <= 0 ||
-        spacing[2] <= 0) {
-        usage_error(option, "'%s' is not XxYxZ, each above 0", value);
-    }
-}
-
-static void set_palette(struct settings *settings, const char *option, const char *value)
-{
-    keep_name(&settings->palette, option, value);
-}
-
-static void set_endian(struct settings *settings, const char *option, const char *value)
-{
-    settings->big_endian = choose(option, value, endian_names) != 0;
-    settings->endian_given = true;
-}
 
 static void set_storage(struct settings *settings, const char *option, const char *value)
 {
@@ -140,17 +95,17 @@ static void set_unit_distance(struct settings *settings, const char *option, con
 
 static void set_transfer(struct settings *settings, const char *option, const char *value)
 {
-    keep_name(&settings->transfer, option, value);
+    settings_keep_name(&settings->transfer, option, value);
 }
 
 static void set_mask(struct settings *settings, const char *option, const char *value)
 {
-    keep_name(&settings->mask, option, value);
+    settings_keep_name(&settings->mask, option, value);
 }
 
 static void set_mask_transfer(struct settings *settings, const char *option, const char *value)
 {
-    keep_name(&settings->mask_transfer, option, value);
+    settings_keep_name(&settings->mask_transfer, option, value);
 }
 
 /* Both ends may be negative: --window=-100:300. */
@@ -334,12 +289,12 @@ static void set_threads(struct settings *settings, const char *option, const cha
 
 static void set_output(struct settings *settings, const char *option, const char *value)
 {
-    keep_name(&settings->output, option, value);
+    settings_keep_name(&settings->output, option, value);
 }
 
 static void set_json(struct settings *settings, const char *option, const char *value)
 {
-    keep_name(&settings->json, option, value != NULL ? value : "-");
+    settings_keep_name(&settings->json, option, value != NULL ? value : "-");
 }
 
 static void set_quiet(struct settings *settings, const char *option, const char *value)
@@ -471,6 +426,22 @@ const struct option_spec option_specs[] = {
     {"dither-table", 0, "KIND", "of the transfer function, in C: opacity or colour",
      set_dither_table, GROUP_TABLE},
     {"name", 0, "NAME", "of the C array (from FILE)", set_name, GROUP_EXPORT},
+
+    {"target", 0, "NAME", "the device, or host", set_target, GROUP_ADVISE},
+    {"error", 0, "E", "levels of 255 that no pixel may be off by more", set_error, GROUP_ADVISE},
+    {"rms", 0, "E", "levels of 255 that the RMS error may have at most", set_rms, GROUP_ADVISE},
+    {"against", 0, "WHAT", "errors from the medium, or from the same samples (medium)", set_against,
+     GROUP_ADVISE},
+    {"voxel-bytes", 0, "N", "that a voxel may take at most", set_voxel_bytes, GROUP_ADVISE},
+    {"slices", 0, "N", "that are not empty behind a pixel: advises a frame buffer (1000)",
+     set_slices, GROUP_ADVISE},
+    {"framebuffer", 0, "BITS", "8, 12, 16 or 24 a channel, or 565 (any)", set_framebuffer,
+     GROUP_ADVISE},
+    {"residual", 0, "4|8", "bits a channel beside a frame buffer of 8 (any)", set_residual,
+     GROUP_ADVISE},
+    {"opacity", 0, "A", "that no slice has less of, above 0 (any)", set_opacity, GROUP_ADVISE},
+    {"content", 0, "KIND", "of slices: any, or fog, which is constant (any)", set_content,
+     GROUP_ADVISE},
 
     {"tolerance", 0, "LEVELS", "differences that count as equal (0)", set_tolerance, GROUP_COMPARE},
     {"gain", 0, "FACTOR", "of the difference picture (16)", set_gain, GROUP_COMPARE},

@@ -117,6 +117,18 @@ struct lighting_settings {
     uint8_t ambient[3];
 };
 
+/* What advice is asked for. 0: not given. */
+struct advise_settings {
+    int target; /* of configuration_targets */
+    double error, rms;
+    bool against_given;
+    bool samples;         /* errors from the same samples, else from the medium */
+    unsigned voxel_bytes; /* at most */
+    double opacity;       /* of slices */
+    bool content_given;
+    bool fog;
+};
+
 struct settings {
     const char *operands[2];
     int operand_count;
@@ -170,6 +182,7 @@ struct settings {
     struct freevoxel_settings freevoxel;
     struct splat_settings splat;
     struct lighting_settings lighting;
+    struct advise_settings advise;
 
     uint32_t reduce[3]; /* 0: not given */
     uint64_t fit;       /* bytes; 0: not given */
@@ -198,7 +211,8 @@ enum option_group {
     GROUP_FRAME = 8192,
     GROUP_FREEVOXEL = 16384,
     GROUP_SPLAT = 32768,
-    GROUP_LIGHTING = 65536
+    GROUP_LIGHTING = 65536,
+    GROUP_ADVISE = 131072
 };
 
 struct option_spec {

@@ -4,6 +4,7 @@
 #include "settings.h"
 #include "error.h"
 #include "picture.h"
+#include "settings_advise.h"
 #include "settings_freevoxel.h"
 #include "settings_slices.h"
 #include "voxel_storage.h"
@@ -78,6 +79,10 @@ void settings_check_needs(const struct settings *settings, int groups)
          "raw output: C arrays are in the compiler's byte order"},
     };
     settings_refuse(needs, sizeof needs / sizeof needs[0]);
+    if ((groups & GROUP_ADVISE) != 0) {
+        settings_check_advise(settings);
+        return;
+    }
     settings_check_slices(settings, groups);
     settings_check_freevoxel(settings, groups);
 }

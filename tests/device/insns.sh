@@ -47,4 +47,15 @@ for target in cortex-m0 cortex-m3 cortex-m4 rv32imc; do
 done
 # The floats of an AVR are written by hand for it, products of 64 bits by no one: no 15 there.
 at_least 2 avr
+
+# The table of qvol advise has the same counts.
+tests/bench/advise.sh lines >"$work/advise"
+in_table() {
+    awk 'NR == FNR { count[$1, $2, $3] = $4; next }
+        $2 == "float" || $4 != "inside" { next }
+        { rows++ }
+        count[$1, $2, $3] != $5 { print "table", count[$1, $2, $3] + 0 ", counted", $0; bad = 1 }
+        END { exit bad || rows < 100 }' "$work/advise" "$work/lines"
+}
+check "the table of qvol advise has these counts (make advise writes it)" in_table
 finish

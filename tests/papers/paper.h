@@ -92,6 +92,10 @@ typedef struct paper_picture {
 /* Renders the frame with the library. */
 void paper_render(paper_picture *made, const qv_scene *scene, uint32_t width, uint32_t height);
 
+/* The same slice by slice, in a frame buffer. */
+void paper_render_slices(paper_picture *made, const qv_scene *scene, const qv_blend *blend,
+                         const qv_dither *dither, uint32_t width, uint32_t height);
+
 /* The same by splats: all voxels of one level of the scene's volume, in the frame of its view.
    attenuation may be null where none is read. */
 void paper_splat(paper_picture *made, const qv_splat_scene *scene, const qv_volume *level,

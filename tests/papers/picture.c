@@ -74,6 +74,45 @@ void paper_render(paper_picture *made, const qv_scene *scene, uint32_t width, ui
     frame_finish(made, &frame, width, height);
 }
 
+/* Back to front or front to back, as the blend is. */
+static void blend_slices(const qv_buffer *buffer, const qv_dither *dither,
+                         const qv_context *context, const qv_rect *rect)
+{
+    const bool front_to_back = buffer->blend == &qv_under_rgb888 ||
+                               buffer->blend == &qv_under_rgb16 || buffer->blend == &qv_under_rgb24;
+    int32_t first, end;
+    paper_require(qv_slice_range(&first, &end, context, rect) == QV_OK, "cannot count slices");
+    paper_require(qv_clear(buffer, context, rect) == QV_OK, "cannot clear");
+    for (int32_t i = first; i < end; i++) {
+        const int32_t k = front_to_back ? i : first + end - 1 - i;
+        const qv_status status = qv_slice(buffer, dither, context, rect, k);
+        paper_require(status == QV_OK, qv_status_text(status));
+    }
+}
+
+void paper_render_slices(paper_picture *made, const qv_scene *scene, const qv_blend *blend,
+                         const qv_dither *dither, uint32_t width, uint32_t height)
+{
+    const qv_rect rect = {0, 0, (int32_t)width, (int32_t)height};
+    const qv_image frame = frame_make(width, height);
+    const size_t pixels = (size_t)width * height;
+    const qv_buffer buffer = {paper_memory(pixels, blend->bytes),
+                              paper_memory(pixels, blend->beside + 1u),
+                              pixels * blend->bytes,
+                              pixels * blend->beside,
+                              (ptrdiff_t)(width * blend->bytes),
+                              (ptrdiff_t)(width * blend->beside),
+                              blend};
+    qv_context context;
+    const qv_status status = qv_init(&context, scene);
+    paper_require(status == QV_OK, qv_status_text(status));
+    blend_slices(&buffer, dither, &context, &rect);
+    paper_require(qv_read_out(&frame, &buffer, &context, &rect) == QV_OK, "cannot read out");
+    frame_finish(made, &frame, width, height);
+    free(buffer.pixels);
+    free(buffer.beside);
+}
+
 void paper_splat(paper_picture *made, const qv_splat_scene *scene, const qv_volume *level,
                  const qv_attenuation *attenuation)
 {

@@ -1,7 +1,9 @@
 # The precision report: a program for each section, of a folder of its own and what the papers'
-# programs share. precision.sh puts the report together.
-PRECISION_SECTIONS := stages
-PRECISION_PROGRAMS := $(PRECISION_SECTIONS:%=$(TEST_OUT)/precision/%)
+# programs share, or a script, section.sh. precision.sh puts the report together.
+PRECISION_SECTIONS := stages pictures meaning
+PRECISION_SCRIPTS := $(notdir $(patsubst %/section.sh,%,$(wildcard tests/precision/*/section.sh)))
+PRECISION_PROGRAMS := \
+	$(patsubst %,$(TEST_OUT)/precision/%,$(filter-out $(PRECISION_SCRIPTS),$(PRECISION_SECTIONS)))
 precision_objects = $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/papers/*.c tests/precision/$(1)/*.c))
 
 .PHONY: precision precision-programs
@@ -10,9 +12,10 @@ precision: setup ## the precision report: tests/precision/REPORT.md, CSV and plo
 	@BUILD=$(BUILD) tests/precision/precision.sh $(PRECISION_SECTIONS)
 	cp $(BUILD)/precision/REPORT.md tests/precision/REPORT.md
 
-precision-programs: $(PRECISION_PROGRAMS)
+precision-programs: $(PRECISION_PROGRAMS) $(QVOL)
 
 $(TEST_OUT)/precision/stages: $(call precision_objects,stages)
+$(TEST_OUT)/precision/pictures: $(call precision_objects,pictures)
 
 $(PRECISION_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 	@mkdir -p $(@D)

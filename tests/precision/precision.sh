@@ -1,8 +1,8 @@
 #!/bin/sh
 # precision.sh SECTION...: runs the program of each section in this order and puts together
 # PRECISION_OUT/REPORT.md; tables as CSV and plots as PNG lie beside it. A program is given the
-# folder: it writes its CSV there and prints its section, in Markdown. A section's plots are drawn
-# by tests/precision/SECTION/*.gp.
+# folder: it writes its CSV there and prints its section, in Markdown; it may be a script,
+# tests/precision/SECTION/section.sh. A section's plots are drawn by tests/precision/SECTION/*.gp.
 set -eu
 cd "$(dirname "$0")/../.."
 : "${BUILD:=build}"
@@ -10,7 +10,9 @@ OUT=${PRECISION_OUT:-$BUILD/precision}
 SOURCES=tests/precision
 
 section() { # section NAME
-    "$BUILD/tests/precision/$1" "$OUT" >"$OUT/$1.md"
+    program=$SOURCES/$1/section.sh
+    [ -e "$program" ] || program=$BUILD/tests/precision/$1
+    "$program" "$OUT" >"$OUT/$1.md"
     for plot in "$SOURCES/$1"/*.gp; do
         [ ! -e "$plot" ] || gnuplot -c "$plot" "$OUT"
     done

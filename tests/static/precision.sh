@@ -28,6 +28,13 @@ bounds_hold() {
 }
 check "no error is above its bound" bounds_hold "$PRECISION_OUT"/*.csv
 
+# What a section must reach: lines "- reached: what" or "- MISSED: what".
+sed -nE 's,^- (reached|MISSED): ,,p' "$PRECISION_OUT/REPORT.md" >"$work/goals"
+check "goals are named" test -s "$work/goals"
+while read -r goal; do
+    check "reached: $goal" grep -qxF -e "- reached: $goal" "$PRECISION_OUT/REPORT.md"
+done <"$work/goals"
+
 plots_hold() {
     /usr/bin/python3 -c '
 import sys

@@ -1,0 +1,23 @@
+#!/bin/sh
+# The errors in the table of qvol advise are what tests/advise/errors.c measures. Its costs are
+# compared where they are counted anyway: tests/device/insns.sh.
+set -u
+. tests/tap
+BUILD=${BUILD:-build}
+export BUILD
+
+check "the program is built" make -s BUILD="$BUILD" "$BUILD/tests/advise/errors"
+check "errors are measured" sh -c '"$1" >"$2"' - "$BUILD/tests/advise/errors" "$work/measured"
+check "the table is read" sh -c 'tests/bench/advise.sh lines | grep "^error " >"$1"' - "$work/table"
+check "every mode has its errors" sh -c 'sort "$1" | diff -u "$2" -' - "$work/measured" "$work/table"
+# shellcheck disable=SC2016
+check "every mode has its costs but on an AVR" sh -c '
+    tests/bench/advise.sh lines | awk "/^error/ { if (\$4 == 1) modes++; next } \$2 == \"blend\" { next }
+        { costs[\$1]++ }
+        END { for (t in costs) if (t != \"avr\" && costs[t] != modes) { print t, costs[t], modes; exit 1 } }"'
+
+# shellcheck disable=SC2016
+check "README.md shows what the table says (make readme)" sh -c '
+    sed -n "/^<!-- choices -->/,/^<!-- \/choices -->/p" README.md | sed "1d;\$d" >"$1/shown"
+    tests/bench/choose.sh | diff -u "$1/shown" -' - "$work"
+finish
