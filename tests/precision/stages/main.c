@@ -9,7 +9,9 @@
 #include <string.h>
 
 static const chapter *const chapters[] = {
-    &chapter_weights,
+    &chapter_rays,   &chapter_weights,      &chapter_samples, &chapter_bspline,
+    &chapter_depth,  &chapter_composite,    &chapter_lengths, &chapter_blends,
+    &chapter_pixels, &chapter_downsampling, &chapter_splats,
 };
 
 #define STAGES_MOST 128
@@ -18,13 +20,20 @@ static const chapter *const chapters[] = {
 
 static void print_summary(const measured *all)
 {
-    printf("## 1 Stages\n\n"
-           "Errors are results less true values of the same input, in the unit of the row. The\n"
-           "bounds are derived below. RMS is over all inputs where all were measured, else over\n"
-           "random ones; there the worst error was searched for as section 1.0 says.\n\n"
-           "| stage | formats | rounding | unit of errors | bound | worst | RMS | inputs | "
-           "the worst one |\n"
-           "|---|---|---|---|---|---|---|---|---|\n");
+    printf(
+        "## 1 Stages\n\n"
+        "Errors are results less true values of the same input, in the unit of the row. True\n"
+        "values are computed with whole numbers, doubles and long doubles, without any code of\n"
+        "the library. RMS is over all inputs where all were measured, else over 200000 random\n"
+        "ones, half of them uniform, half of random magnitude. There the worst was searched for\n"
+        "too: by hill climbing from the 48 worst of those, each number of the input moving by\n"
+        "powers of 2, to its ends and to random places. Chains were grown greedily, see there. A\n"
+        "bound is at most 2 times the worst error that was found, of chains of operations 4\n"
+        "times, unless a reason is told. The bounds are derived below the table. Stages with n\n"
+        "are of n samples, pieces or voxels.\n\n"
+        "| stage | formats | rounding | unit of errors | bound | worst | RMS | inputs | "
+        "the worst one |\n"
+        "|---|---|---|---|---|---|---|---|---|\n");
     for (size_t c = 0; c < COUNT(chapters); c++) {
         for (size_t i = 0; i < chapters[c]->count; i++, all++) {
             const stage *s = &chapters[c]->stages[i];
@@ -51,11 +60,11 @@ static void print_chapters(const measured *all)
 /* ---- The table ------------------------------------------------------------------------------ */
 
 /* A text in quotes, of which none is in our tables. */
-static void write_row(FILE *csv, const stage *s, const measured *m, unsigned within)
+static void write_row(FILE *csv, const stage *s, const measured *m)
 {
     fprintf(csv, "%.6g,%.6g,%.4g,%u,%d,\"%s\",\"%s\",\"%s\",\"%s\",\"%s\",\"%s\"\n", s->bound,
-            m->worst, measured_rms(m), within, s->reason != NULL, s->name, s->formats, s->rounding,
-            s->unit, s->inputs, m->input);
+            m->worst, measured_rms(m), s->within, s->reason != NULL, s->name, s->formats,
+            s->rounding, s->unit, s->inputs, m->input);
 }
 
 static void write_table(const char *folder, const measured *all)
@@ -64,7 +73,7 @@ static void write_table(const char *folder, const measured *all)
     fprintf(csv, "bound,worst,rms,within,reason,stage,formats,rounding,unit,inputs,input\n");
     for (size_t c = 0; c < COUNT(chapters); c++)
         for (size_t i = 0; i < chapters[c]->count; i++)
-            write_row(csv, &chapters[c]->stages[i], all++, chapters[c]->within);
+            write_row(csv, &chapters[c]->stages[i], all++);
     paper_close(csv);
 }
 

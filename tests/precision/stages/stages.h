@@ -51,6 +51,7 @@ typedef void stage_measure(measured *m, unsigned parameter);
 typedef struct stage {
     const char *name, *formats, *rounding, *unit;
     double bound;
+    unsigned within;    /* how many times the worst error found the bound may be: 2, chains 4 */
     const char *inputs; /* which are measured */
     stage_measure *measure;
     unsigned parameter;
@@ -59,11 +60,12 @@ typedef struct stage {
 
 typedef struct chapter {
     const char *title, *derivation;
-    unsigned within; /* how many times the worst error found a bound may be */
     const stage *stages;
     size_t count;
 } chapter;
 
-extern const chapter chapter_weights;
+extern const chapter chapter_weights, chapter_depth, chapter_samples, chapter_composite,
+    chapter_pixels, chapter_blends, chapter_bspline, chapter_rays, chapter_lengths, chapter_splats,
+    chapter_downsampling;
 
 #endif /* STAGES_H */

@@ -36,7 +36,7 @@ static void measure(measured *m, unsigned unused)
 
 static const stage stages[] = {
     {"trilinear weights", "3 fractions u8.8 to 8 weights u17.16", "one product, to nearest",
-     "2^-16", .5, "all 2^24 fractions", measure, 0, NULL},
+     "2^-16", .5, 2, "all 2^24 fractions", measure, 0, NULL},
 };
 
 const chapter chapter_weights = {
@@ -46,4 +46,4 @@ const chapter chapter_weights = {
     "exact\n"
     "terms and of xyz, once, so that each is off by that same error, with the sign that xyz has\n"
     "there; the eight errors cancel in the sum, which is exactly 65536.\n",
-    2, stages, COUNT(stages)};
+    stages, COUNT(stages)};

@@ -1,9 +1,8 @@
 /*
  * stages_sample.c - weights and samples: sections 11 to 13.
  */
+#include "corners.h"
 #include "stages.h"
-
-#include "sample.h"
 
 #include <string.h>
 
@@ -12,16 +11,6 @@
 typedef struct weights_row {
     uint64_t f[3], xy, xz, yz, xyz, w[8];
 } weights_row;
-
-static void set_weights(uint64_t w[8], const uint64_t f[3])
-{
-    const fx_fraction fraction[3] = {fx_fraction_of((uint32_t)f[0]), fx_fraction_of((uint32_t)f[1]),
-                                     fx_fraction_of((uint32_t)f[2])};
-    fx_weight weight[8];
-    qv_weights(weight, fraction);
-    for (unsigned q = 0; q < 8; q++)
-        w[q] = fx_weight_bits(weight[q]);
-}
 
 static unsigned weights_compute(void *columns)
 {
@@ -52,15 +41,6 @@ static void weights_draw(void *columns, vector_random *random)
         row->f[axis] = vector_bits(random, 8);
 }
 
-#define FRACTIONS                                                                                  \
-    {                                                                                              \
-        "f", 3, 'i', "u8.8", "place between the voxel centres of axis [i]"                         \
-    }
-#define CORNER_WEIGHTS                                                                             \
-    {                                                                                              \
-        "w", 8, 'm', "u17.16", "weight of corner [i], as in the stage weights"                     \
-    }
-
 static const vector_field weights_fields[] = {
     FRACTIONS,
     {"xy", 1, 'm', "u16.16", "f0 * f1"},
@@ -89,70 +69,6 @@ const vector_stage stage_weights = {"weights",
                                     weights_edges,
                                     weights_draw,
                                     weights_compute};
-
-/* ---- Corners -------------------------------------------------------------------- */
-
-/* The entries of a cell's corners in the machine's memory. */
-typedef struct corners {
-    uint8_t narrow[8][4];
-    uint16_t wide[8][4];
-    qv_address at[8];
-} corners;
-
-static void set_corners(corners *to, uint64_t channel[4][8], unsigned storage)
-{
-    for (unsigned q = 0; q < 8; q++) {
-        for (unsigned c = 0; c < 4; c++) {
-            to->narrow[q][c] = (uint8_t)channel[c][q];
-            to->wide[q][c] = (uint16_t)channel[c][q];
-        }
-        to->at[q] = qv_channel_bytes(storage) == 1 ? to->narrow[q] : (qv_address)to->wide[q];
-    }
-}
-
-static uint64_t full_of(unsigned bits)
-{
-    return ((uint64_t)1 << bits) - 1u;
-}
-
-/* Random corners of four kinds: any, with many numbers next to limits, few with opacity, and
-   opaque ones. */
-static void draw_corners(uint64_t f[3], uint64_t channel[4][8], vector_random *random,
-                         unsigned bits)
-{
-    unsigned kind = (unsigned)vector_bits(random, 2);
-    for (unsigned axis = 0; axis < 3; axis++)
-        f[axis] = kind == 1 ? vector_any(random, 8) : vector_bits(random, 8);
-    for (unsigned c = 0; c < 4; c++)
-        for (unsigned q = 0; q < 8; q++)
-            channel[c][q] = kind == 1 ? vector_any(random, bits) : vector_bits(random, bits);
-    for (unsigned q = 0; q < 8 && kind >= 2; q++)
-        channel[3][q] = kind == 3 ? full_of(bits) : vector_bits(random, 1) * channel[3][q];
-}
-
-/* Corners that are alike but for one, at the places of the weights' extremes. */
-static void corner_edges(vector_set *set, unsigned bits,
-                         void (*add)(vector_set *set, const uint64_t f[3], uint64_t channel[4][8]))
-{
-    static const uint64_t places[3][3] = {{0, 0, 0}, {255, 255, 255}, {85, 170, 3}};
-    const uint64_t values[4] = {0, 1, full_of(bits) / 2 + 1, full_of(bits)};
-    for (unsigned place = 0; place < 3; place++)
-        for (unsigned all = 0; all < 4; all++)
-            for (unsigned one = 0; one < 4; one++) {
-                uint64_t channel[4][8];
-                for (unsigned i = 0; i < 32; i++)
-                    channel[i / 8][i % 8] = values[all];
-                channel[3][2 * place + 1] = values[one];
-                add(set, places[place], channel);
-            }
-}
-
-#define ENTRIES(format)                                                                            \
-    {"r", 8, 'i', format, "red of corner [i]"}, {"g", 8, 'i', format, "green of corner [i]"},      \
-        {"b", 8, 'i', format, "blue of corner [i]"},                                               \
-    {                                                                                              \
-        "a", 8, 'i', format, "opacity of corner [i], or extinction"                                \
-    }
 
 #define SUM_OF(name)                                                                               \
     name "0 + " name "1 + " name "2 + " name "3 + " name "4 + " name "5 + " name "6 + " name "7"

@@ -46,7 +46,7 @@ uint64_t vector_bits(vector_random *random, unsigned bits);
    of 2 or full: where roundings and limits are. */
 uint64_t vector_any(vector_random *random, unsigned bits);
 
-/* least .. most, at most 2^32 numbers. */
+/* least .. most, at most 2^63 numbers. */
 int64_t vector_between(vector_random *random, int64_t least, int64_t most);
 
 typedef struct vector_set vector_set;

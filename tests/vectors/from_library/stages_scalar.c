@@ -1,0 +1,451 @@
+/*
+ * stages_scalar.c - from scalars to voxels: sections 19 to 22 and 24.
+ */
+#include "stages.h"
+
+#include "gradient.h"
+#include "shade.h"
+#include "unit_vector.h"
+
+/* ---- Transfer table ------------------------------------------------------------- */
+
+typedef struct transfer_row {
+    uint64_t first, last, from, to, entry, value16, value8;
+} transfer_row;
+
+static unsigned transfer_compute(void *columns)
+{
+    transfer_row *row = columns;
+    const qv_control_point points[2] = {{(uint8_t)row->first, {(uint16_t)row->from, 0, 0, 0}},
+                                        {(uint8_t)row->last, {(uint16_t)row->to, 0, 0, 0}}};
+    qv_transfer table;
+    uint8_t narrow[QV_PALETTE_ENTRIES][4];
+    if (qv_transfer_build(&table, points, 2) != QV_OK)
+        vector_fail("transfer", "points", "refused");
+    qv_transfer_to_palette8(narrow, &table);
+    row->value16 = table.rgba[row->entry][0];
+    row->value8 = narrow[row->entry][0];
+    return row->entry < row->first || row->entry > row->last ? VECTOR_SATURATE : 0;
+}
+
+static void transfer_draw(void *columns, vector_random *random)
+{
+    transfer_row *row = columns;
+    row->first = (uint64_t)vector_between(random, 0, 254);
+    row->last = (uint64_t)vector_between(random, (int64_t)row->first + 1, 255);
+    row->from = vector_any(random, 16);
+    row->to = vector_any(random, 16);
+    row->entry = vector_bits(random, 3) == 0
+                     ? vector_bits(random, 8)
+                     : (uint64_t)vector_between(random, (int64_t)row->first, (int64_t)row->last);
+}
+
+/* Halves: between points 2 and 4 apart. */
+static void transfer_edges(vector_set *set)
+{
+    for (uint64_t i = 0; i < 64; i++) {
+        const transfer_row row = {.first = 100,
+                                  .last = 102 + i % 2 * 2,
+                                  .from = i / 8 * 9362,
+                                  .to = i / 4 % 2 ? 65535 - i : i,
+                                  .entry = 99 + i % 7};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
+static const vector_field transfer_fields[] = {
+    {"first", 1, 'i', "u8", "index g of the first control point"},
+    {"last", 1, 'i', "u8", "index h of the second one, above first"},
+    {"from", 1, 'i', "unorm16", "its value b"},
+    {"to", 1, 'i', "unorm16", "the second one's value d"},
+    {"entry", 1, 'i', "u8", "of the table"},
+    {"value16", 1, 'o', "unorm16",
+     "from up to first, to from last on, else floor((2 (from (last - entry) + to (entry - first)) "
+     "+ "
+     "last - first) / (2 (last - first)))"},
+    {"value8", 1, 'o', "unorm8", "to8(value16)"},
+    {NULL, 0, 0, NULL, NULL}};
+
+const vector_stage stage_transfer = {
+    .name = "transfer",
+    .section = "19",
+    .title = "an entry of a transfer table, between two control points",
+    .rounding = "to nearest, ties upwards",
+    .saturation = "beyond the points",
+    .fields = transfer_fields,
+    .columns = VECTOR_COLUMNS(transfer_row),
+    .seed = 19,
+    .random_rows = 200,
+    .edges = transfer_edges,
+    .draw = transfer_draw,
+    .compute = transfer_compute,
+};
+
+/* ---- Index ---------------------------------------------------------------------- */
+
+typedef struct index_row {
+    int64_t s, low, high;
+    uint64_t index;
+} index_row;
+
+static unsigned index_compute(void *columns)
+{
+    index_row *row = columns;
+    const int is_signed = row->s < 0;
+    const uint16_t value = (uint16_t)row->s;
+    const void *values = &value;
+    const qv_classifier classifier = {
+        .scalars = {.values = values,
+                    .values_bytes = sizeof value,
+                    .stride = {2, 2, 2},
+                    .size = {1, 1, 1},
+                    .type = is_signed ? QV_SCALAR_S16 : QV_SCALAR_U16},
+        .low = (int32_t)row->low,
+        .high = (int32_t)row->high};
+    const qv_block block = {{0, 0, 0}, {1, 1, 1}};
+    uint8_t index;
+    if (qv_classify(&index, 1, QV_STORAGE_INDEXED8, &classifier, &block) != QV_OK)
+        vector_fail("index", "classifier", "refused");
+    row->index = index;
+    return row->s <= row->low || row->s >= row->high ? VECTOR_SATURATE : 0;
+}
+
+static void index_draw(void *columns, vector_random *random)
+{
+    index_row *row = columns;
+    row->low = vector_between(random, -65536, 131070);
+    row->high = vector_between(random, row->low + 1, 131071);
+    row->s = vector_between(random, row->low < -32768 ? -32768 : row->low, 65535);
+    if (row->s > 65535 || row->s < -32768)
+        row->s = vector_between(random, -32768, 65535);
+}
+
+/* Windows in which each step of the index is a half, and the ends of all ranges. */
+static void index_edges(vector_set *set)
+{
+    for (int64_t s = -2; s < 20; s++) {
+        const index_row halves = {.s = s, .low = 0, .high = 510};
+        const index_row narrow = {.s = s, .low = 7, .high = 8 + s % 3 * s % 3};
+        vector_add(set, &halves, VECTOR_EDGE);
+        vector_add(set, &narrow, VECTOR_EDGE);
+    }
+    static const int64_t ends[] = {-32768, -1, 0, 1, 32767, 65534, 65535};
+    for (unsigned i = 0; i < 14; i++) {
+        const index_row row = {
+            .s = ends[i % 7], .low = i < 7 ? -65536 : -1000, .high = i < 7 ? 131071 : 2000};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
+static const vector_field index_fields[] = {
+    {"s", 1, 'i', "s17", "scalar, -32768 .. 65535"},
+    {"low", 1, 'i', "s18", "of the window"},
+    {"high", 1, 'i', "s19", "of the window, above low"},
+    {"index", 1, 'o', "u8",
+     "0 where s <= low, 255 where s >= high, else floor((510 (s - low) + (high - low)) / "
+     "(2 (high - low)))"},
+    {NULL, 0, 0, NULL, NULL}};
+
+const vector_stage stage_index = {
+    .name = "index",
+    .section = "20",
+    .title = "the table's index of a scalar",
+    .rounding = "to nearest, ties upwards",
+    .saturation = "at 0 and 255",
+    .fields = index_fields,
+    .columns = VECTOR_COLUMNS(index_row),
+    .seed = 20,
+    .random_rows = 250,
+    .edges = index_edges,
+    .draw = index_draw,
+    .compute = index_compute,
+};
+
+/* ---- Gradient and normal --------------------------------------------------------- */
+
+typedef struct gradient_row {
+    int64_t d[3];
+    uint64_t spacing[3], least, window, g[3], long_enough;
+    int64_t normal[3];
+} gradient_row;
+
+static unsigned gradient_compute(void *columns)
+{
+    gradient_row *row = columns;
+    qv_gradient gradient;
+    uint32_t spacing[3];
+    int32_t difference[3], normal[3] = {0, 0, 0};
+    for (unsigned axis = 0; axis < 3; axis++) {
+        spacing[axis] = (uint32_t)row->spacing[axis];
+        difference[axis] = (int32_t)row->d[axis];
+    }
+    qv_gradient_init(&gradient, spacing, (uint16_t)row->least, (uint32_t)row->window);
+    row->long_enough = qv_gradient_normal(normal, &gradient, difference) != 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        row->g[axis] = gradient.scale[axis];
+        row->normal[axis] = row->long_enough ? normal[axis] : 0;
+    }
+    return 0;
+}
+
+static uint64_t draw_spacing(vector_random *random)
+{
+    return vector_bits(random, 1) ? 65536 : (uint64_t)vector_between(random, 4096, 1 << 24);
+}
+
+static void gradient_draw(void *columns, vector_random *random)
+{
+    gradient_row *row = columns;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        int64_t magnitude = (int64_t)vector_any(random, 16);
+        row->d[axis] = vector_bits(random, 1) ? -magnitude : magnitude;
+        row->spacing[axis] = draw_spacing(random);
+    }
+    row->least = vector_bits(random, 2) ? vector_any(random, 8) : vector_any(random, 16);
+    row->window = (uint64_t)vector_between(random, 1, 196607);
+}
+
+/* S33, and both sides of its limits; differences alone on each axis. */
+static void gradient_edges(vector_set *set)
+{
+    for (uint64_t least = 36; least < 42; least++) {
+        const gradient_row row = {
+            .d = {300, -20, 7}, .spacing = {65536, 98304, 43691}, .least = least, .window = 1000};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+    for (unsigned i = 0; i < 24; i++) {
+        gradient_row row = {.spacing = {65536, i % 2 ? 65536 : 4096, 1 << 24},
+                            .least = i / 12 ? 1 : 0,
+                            .window = 128};
+        row.d[i % 3] = i / 3 % 2 ? -1 : 1;
+        row.d[(i + 1) % 3] = i / 6 % 2 ? 65535 : 0;
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+    const gradient_row none = {.spacing = {65536, 65536, 65536}, .window = 1};
+    vector_add(set, &none, VECTOR_EDGE);
+}
+
+#define GRADIENT_FIELDS                                                                            \
+    {"d", 3, 'i', "s17", "difference along axis [i]"},                                             \
+        {"spacing", 3, 'i', "u32.16", "of axis [i]"}, {"least", 1, 'i', "u16", "least gradient"},  \
+    {                                                                                              \
+        "window", 1, 'i', "u18", "high - low"                                                      \
+    }
+
+static const vector_field gradient_fields[] = {
+    GRADIENT_FIELDS,
+    {"g0", 1, 'm', "u64", "spacing1 * spacing2"},
+    {"g1", 1, 'm', "u64", "spacing0 * spacing2"},
+    {"g2", 1, 'm', "u64", "spacing0 * spacing1"},
+    {"long_enough", 1, 'o', "u1",
+     "1 where a d is not 0 and (d0^2 g0^2 + d1^2 g1^2 + d2^2 g2^2) * 2^46 >= (least * window * "
+     "spacing0 * spacing1 * spacing2)^2; else normal is 0"},
+    {"normal", 3, 'o', "s32.30", "component [i] of unit(-d, g)"},
+    {NULL, 0, 0, NULL, NULL}};
+
+const vector_stage stage_gradient = {
+    .name = "gradient",
+    .section = "21",
+    .title = "a gradient, whether it is long enough, and its normal",
+    .rounding = "the decision is exact; magnitudes of the normal to nearest",
+    .saturation = "components at 2^30",
+    .fields = gradient_fields,
+    .columns = VECTOR_COLUMNS(gradient_row),
+    .seed = 2100,
+    .random_rows = 250,
+    .edges = gradient_edges,
+    .draw = gradient_draw,
+    .compute = gradient_compute,
+};
+
+/* ---- Shading -------------------------------------------------------------------- */
+
+typedef struct shade_row {
+    int64_t d[3];
+    uint64_t spacing[3], least, window;
+    int64_t light[3], viewer[3];
+    uint64_t ambient, diffuse, specular, gloss, colour[3];
+    int64_t to_light[3], half[3];
+    uint64_t shaded[3];
+} shade_row;
+
+static void set_shading(qv_shading *shading, const shade_row *row)
+{
+    for (unsigned axis = 0; axis < 3; axis++) {
+        shading->light[axis] = (int16_t)row->light[axis];
+        shading->viewer[axis] = (int16_t)row->viewer[axis];
+    }
+    shading->ambient = (uint16_t)row->ambient;
+    shading->diffuse = (uint16_t)row->diffuse;
+    shading->specular = (uint16_t)row->specular;
+    shading->gloss = (uint8_t)row->gloss;
+    shading->least_gradient = (uint16_t)row->least;
+}
+
+static unsigned shade_compute(void *columns)
+{
+    shade_row *row = columns;
+    qv_shading shading;
+    qv_shader shader;
+    uint32_t spacing[3];
+    int32_t difference[3];
+    uint16_t rgba[4] = {(uint16_t)row->colour[0], (uint16_t)row->colour[1],
+                        (uint16_t)row->colour[2], 0};
+    for (unsigned axis = 0; axis < 3; axis++) {
+        spacing[axis] = (uint32_t)row->spacing[axis];
+        difference[axis] = (int32_t)row->d[axis];
+    }
+    set_shading(&shading, row);
+    if (qv_shader_init(&shader, &shading, spacing, (uint32_t)row->window) != QV_OK)
+        vector_fail("shade", "shading", "refused");
+    qv_shade(rgba, &shader, difference);
+    for (unsigned i = 0; i < 3; i++) {
+        row->to_light[i] = shader.light[i];
+        row->half[i] = shader.specular != 0 ? shader.half[i] : 0;
+        row->shaded[i] = rgba[i];
+    }
+    return rgba[0] == 65535 || rgba[1] == 65535 || rgba[2] == 65535 ? VECTOR_SATURATE : 0;
+}
+
+static void draw_direction(int64_t v[3], vector_random *random)
+{
+    for (unsigned axis = 0; axis < 3; axis++)
+        v[axis] = vector_between(random, -1000, 1000);
+    v[vector_between(random, 0, 2)] = vector_between(random, 1, 32767);
+}
+
+static void shade_draw(void *columns, vector_random *random)
+{
+    shade_row *row = columns;
+    draw_direction(row->light, random);
+    draw_direction(row->viewer, random);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        row->spacing[axis] = vector_bits(random, 1) ? 65536 : 98304;
+        row->d[axis] = vector_between(random, -300, 300);
+        row->colour[axis] = vector_any(random, 16);
+    }
+    row->window = 1000;
+    row->least = vector_bits(random, 2);
+    row->ambient = (uint64_t)vector_between(random, 0, 256);
+    row->diffuse = (uint64_t)vector_between(random, 0, 256);
+    row->specular = vector_bits(random, 1) ? (uint64_t)vector_between(random, 0, 256) : 0;
+    row->gloss = vector_bits(random, 3);
+}
+
+/* Light along the normal and against it, a viewer beside the light and opposite to it. */
+static void shade_edges(vector_set *set)
+{
+    for (unsigned i = 0; i < 64; i++) {
+        shade_row row = {.d = {0, 0, i % 2 ? 100 : -100},
+                         .spacing = {65536, 65536, 65536},
+                         .least = i / 2 % 2 ? 65535 : 0,
+                         .window = 100,
+                         .light = {0, 0, 1},
+                         .viewer = {i / 4 % 2, 0, i / 8 % 2 ? 1 : -1},
+                         .ambient = i / 16 % 2 ? 256 : 0,
+                         .diffuse = 256,
+                         .specular = i / 32 ? 256 : 0,
+                         .gloss = i % 8,
+                         .colour = {65535, 32768, 0}};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
+static const vector_field shade_fields[] = {
+    GRADIENT_FIELDS,
+    {"light", 3, 'i', "s16", "direction to the light, axis [i]"},
+    {"viewer", 3, 'i', "s16", "direction to the viewer, axis [i]"},
+    {"ambient", 1, 'i', "u9.8", "coefficient, 0 .. 256"},
+    {"diffuse", 1, 'i', "u9.8", "coefficient, 0 .. 256"},
+    {"specular", 1, 'i', "u9.8", "coefficient, 0 .. 256; without a highlight 0"},
+    {"gloss", 1, 'i', "u3", "squarings"},
+    {"colour", 3, 'i', "unorm16", "of the voxel, channel [i]"},
+    {"to_light", 3, 'm', "s32.30", "component [i] of unit(light, 1)"},
+    {"half", 3, 'm', "s32.30", "component [i] of half; 0 where there is no highlight"},
+    {"shaded", 3, 'o', "unorm16",
+     "colour [i] of section 22; colour[i] where the gradient is not long enough"},
+    {NULL, 0, 0, NULL, NULL}};
+
+const vector_stage stage_shade = {
+    .name = "shade",
+    .section = "22",
+    .title = "light on a voxel",
+    .rounding = "each product to nearest, ties upwards",
+    .saturation = "dot at 0 and 2^30, colours at 65535",
+    .fields = shade_fields,
+    .columns = VECTOR_COLUMNS(shade_row),
+    .seed = 2200,
+    .random_rows = 250,
+    .edges = shade_edges,
+    .draw = shade_draw,
+    .compute = shade_compute,
+};
+
+/* ---- Reduction ------------------------------------------------------------------ */
+
+typedef struct reduce_row {
+    uint64_t n[3];
+    int64_t s[8], value;
+} reduce_row;
+
+static unsigned reduce_compute(void *columns)
+{
+    static const uint8_t factor[3] = {2, 2, 2};
+    reduce_row *row = columns;
+    uint16_t values[8], value;
+    const void *from = values;
+    for (unsigned i = 0; i < 8; i++)
+        values[i] = (uint16_t)row->s[i];
+    const qv_scalars scalars = {
+        .values = from,
+        .values_bytes = sizeof values,
+        .stride = {2, (int32_t)(2 * row->n[0]), (int32_t)(2 * row->n[0] * row->n[1])},
+        .size = {(uint16_t)row->n[0], (uint16_t)row->n[1], (uint16_t)row->n[2]},
+        .type = QV_SCALAR_S16};
+    if (qv_reduce(&value, sizeof value, &scalars, factor, 0, 1) != QV_OK)
+        vector_fail("reduce", "scalars", "refused");
+    row->value = (int16_t)value;
+    return 0;
+}
+
+static void reduce_draw(void *columns, vector_random *random)
+{
+    reduce_row *row = columns;
+    for (unsigned axis = 0; axis < 3; axis++)
+        row->n[axis] = vector_bits(random, 1) + 1;
+    for (unsigned i = 0; i < 8; i++)
+        row->s[i] = (int16_t)(uint16_t)vector_any(random, 16);
+}
+
+static void reduce_edges(vector_set *set)
+{
+    for (int64_t i = 0; i < 24; i++) {
+        const reduce_row row = {
+            .n = {2, 1 + (uint64_t)i % 2, 1 + (uint64_t)i / 2 % 2},
+            .s = {i < 12 ? 32767 : -32768, -5 + i % 12, -2, 4, 0, 1, -1, i % 5}};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
+static const vector_field reduce_fields[] = {
+    {"n", 3, 'i', "u2", "scalars on axis [i], 1 or 2"},
+    {"s", 8, 'i', "s16", "scalars, x fastest; those beyond n0 n1 n2 are not read"},
+    {"value", 1, 'o', "s16",
+     "floor((2 Q + N) / (2 N)) - 32768, with N = n0 n1 n2 and Q the sum of "
+     "s + 32768"},
+    {NULL, 0, 0, NULL, NULL}};
+
+const vector_stage stage_reduce = {
+    .name = "reduce",
+    .section = "24",
+    .title = "the mean of up to eight scalars",
+    .rounding = "to nearest, ties upwards",
+    .saturation = "none",
+    .fields = reduce_fields,
+    .columns = VECTOR_COLUMNS(reduce_row),
+    .seed = 24,
+    .random_rows = 150,
+    .edges = reduce_edges,
+    .draw = reduce_draw,
+    .compute = reduce_compute,
+};
