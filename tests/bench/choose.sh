@@ -137,7 +137,7 @@ samples is what storage and integers add.
 ### 3.1 The cheapest configuration
 
 Mode and storage, step in voxels, and instructions (avr: cycles) for a voxel's length of a ray; a
-dash where nothing reaches it, on an AVR nothing that its flash holds beside all the others.
+dash where nothing reaches it.
 
 END
 cheapest
