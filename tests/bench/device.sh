@@ -18,7 +18,8 @@ count() { # count TARGET [PROGRAM]
     out=$BUILD/devices$OPTIMISE
     program=$out/$1/${2:-bench}.elf
     make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$program" >&2
-    EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$program" >"$work/scenes" 2>"$work/messages" ||
+    EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$program" >"$work/scenes" \
+        2>"$work/messages" ||
         { cat "$work/scenes" "$work/messages" >&2; exit 1; }
     paste -d ' ' "$work/scenes" "$work/regions" |
         awk '{ rays = $4; samples = $5; executed = $11 == "cycles" ? $12 : $10; mode = $1 " " $2 }
