@@ -9,7 +9,7 @@ vectors: $(VECTOR_GENERATOR) ## test vectors of every stage: tests/vectors/; VEC
 	$(VECTOR_GENERATOR) $(VECTOR_FOLDER) $(VECTORS)
 	tests/vectors/declare.sh $(VECTOR_FOLDER)
 
-$(VECTOR_GENERATOR): $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/vectors/from_library/*.c)) $(LIBRARY)
+$(VECTOR_GENERATOR): $(patsubst %.c,$(TEST_OUT)/%.o,$(wildcard tests/vectors/from_library/*.c) port/crc32.c) $(LIBRARY)
 	@mkdir -p $(@D)
 	@echo "  LD  $@"
 	@$(CC) $(CFLAGS) $^ -o $@

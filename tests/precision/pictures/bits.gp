@@ -19,8 +19,10 @@ set key outside right center Left reverse samplen 2
 name(stage) = folder."/pictures_".stage."_bits.csv"
 packing(x) = 1 / sqrt(12.0)
 plot name("storage") using 1:2 skip 1 with linespoints pt 7 lc rgb "#922b21" title "storage", \
-     name("associated") using 1:2 skip 1 with linespoints pt 6 lc rgb "#e59866" title "storage, preweighted", \
+     name("associated") using 1:2 skip 1 with linespoints pt 6 lc rgb "#e59866" \
+         title "storage, preweighted", \
      name("position") using 1:2 skip 1 with linespoints pt 7 lc rgb "#1e8449" title "position", \
      name("weight") using 1:2 skip 1 with linespoints pt 7 lc rgb "#7d3c98" title "weights", \
-     name("accumulator") using 1:2 skip 1 with linespoints pt 7 lc rgb "#1a5276" title "accumulators", \
+     name("accumulator") using 1:2 skip 1 with linespoints pt 7 lc rgb "#1a5276" \
+         title "accumulators", \
      packing(x) with lines dt 2 lc rgb "#555555" title "packing to 8 bits"

@@ -17,5 +17,7 @@ set key outside right center Left reverse samplen 1
 file = folder."/pictures_budget.csv"
 of(storage) = strcol(1) eq "head" && strcol(2) eq storage && strcol(3) ne "the library" \
               && strcol(3) ne "the sum of these" ? 1 : NaN
-plot file using ($4 * of("RGBA16")):($0):ytic(3) every ::0::8 skip 1 with points pt 7 ps 1.5 lc rgb "#1a5276" title "RGBA16", \
-     file using ($4 * of("RGBA8")):($0) every ::11::19 skip 1 with points pt 6 ps 1.5 lc rgb "#922b21" title "RGBA8"
+plot file using ($4 * of("RGBA16")):($0):ytic(3) every ::0::8 skip 1 with points \
+         pt 7 ps 1.5 lc rgb "#1a5276" title "RGBA16", \
+     file using ($4 * of("RGBA8")):($0) every ::11::19 skip 1 with points \
+         pt 6 ps 1.5 lc rgb "#922b21" title "RGBA8"

@@ -21,5 +21,6 @@ file = folder."/pictures_section7.csv"
 bound(x) = 127.5 / x
 plot bound(x) with lines dt 2 lc rgb "#922b21" title "1/2 * 255 / opacity", \
      file using 1:3 skip 1 with points pt 7 lc rgb "#922b21" title "a preweighted voxel, worst", \
-     file using 1:6 skip 1 with linespoints pt 6 lc rgb "#e59866" title "a preweighted picture, RMS", \
+     file using 1:6 skip 1 with linespoints pt 6 lc rgb "#e59866" \
+         title "a preweighted picture, RMS", \
      file using 1:5 skip 1 with linespoints pt 7 lc rgb "#1a5276" title "a weighted picture, RMS"

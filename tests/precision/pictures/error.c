@@ -8,7 +8,7 @@ static double packed(double channel)
     return ref_level(fmax(channel, 0), 255);
 }
 
-static void add_pixel(picture_error *into, const double got[4], const double truth[4])
+void error_add_pixel(picture_error *into, const double got[4], const double truth[4])
 {
     for (int channel = 0; channel < 4; channel++) {
         const double off = 255 * (got[channel] - truth[channel]);
@@ -27,7 +27,7 @@ void error_add(picture_error *into, const paper_picture *got, const paper_pictur
     const size_t pixels = (size_t)truth->width * truth->height;
     for (size_t i = 0; i < pixels; i++) {
         if (truth->rgba[i][3] > 0) {
-            add_pixel(into, got->rgba[i], truth->rgba[i]);
+            error_add_pixel(into, got->rgba[i], truth->rgba[i]);
         }
     }
 }

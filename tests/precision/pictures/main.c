@@ -21,7 +21,7 @@ int main(int argc, char **argv)
 {
     static void (*const parts[])(const char *folder) = {
         part_model,  part_bits,  part_steps,   part_fogs,  part_slices,
-        part_budget, part_paper, part_storage, part_goals,
+        part_budget, part_paper, part_storage, part_goals, part_modes,
     };
     paper_require(argc == 2, "usage: pictures FOLDER");
     print_scenes();

@@ -91,11 +91,11 @@ static void find_cell(cell *found, const stage *s, const double point[3])
 
 /* ---- Section 12: a sample ------------------------------------------------------------- */
 
-/* A term of 16-bit storage is cut to the unit of L; fewer bits leave nothing to cut. */
+/* A term of more than 8 bits a channel is cut to the unit of L; of 8, nothing is left to cut. */
 static double term(const stage *s, double share, double colour)
 {
     const double product = ldexp(share * colour, 16 - 2 * s->bits);
-    return s->of->terms ? floor(product) : product;
+    return s->of->terms && s->bits > 8 ? floor(product) : product;
 }
 
 static void add_weighted(double light[3], const stage *s, double share, const double voxel[4])

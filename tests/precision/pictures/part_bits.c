@@ -47,7 +47,8 @@ typedef struct sweep {
 static const sweep sweeps[] = {
     {"Storage: bits a channel, colours not weighted",
      "pictures_storage_bits",
-     "The library stores 8 or 16.",
+     "The library stores 8 or 16. Thin, film and veil\nhave opacities of whole 255ths, which 8 and "
+     "16 bits hold, and others do not.",
      set_storage,
      {4, 5, 6, 7, 8, 10, 12, 14, 15, 16, 0}},
     {"Storage: bits a channel, colours weighted by opacity",
@@ -131,7 +132,8 @@ void part_bits(const char *folder)
     static errors found;
     printf("### 2.2 Bits of one stage\n\n"
            "Each table rounds one stage and leaves all others exact, real voxels and points "
-           "included.\n\n");
+           "included.\n\n"
+           "Plot: `pictures_bits.png`.\n\n");
     for (unsigned number = 0; number < picture_scenes; number++) {
         add_scene(found, number);
     }

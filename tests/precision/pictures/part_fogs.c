@@ -96,7 +96,7 @@ static void opacities(const char *folder)
     printf("### 2.4 Opacity and number of samples\n\n"
            "One pixel in a fog of %d samples, worst channel, in levels: the worst of %d "
            "opacities a row.\nOf opacities below 1/510, 8 bits keep nothing.\n\n"
-           "![error by opacity](pictures_opacity.png)\n\n",
+           "Plot: `pictures_opacity.png`.\n\n",
            fog_samples, per_decade / 2);
     table_begin(&t, folder, "pictures_opacity",
                 "opacity from|to|RGBA16|RGBA8|preweighted RGBA8|15 bits, as VTK|half floats");
@@ -155,7 +155,7 @@ static void counts(const char *folder)
            "samples, by the\nbits of the accumulators and all else exact: the worst of the "
            "three. n samples cost at most\n255 n 2^-(bits+1) of transmittance and twice that of "
            "light.\n\n"
-           "![error by number of samples](pictures_samples.png)\n\n");
+           "Plot: `pictures_samples.png`.\n\n");
     table_begin(&t, folder, "pictures_samples", "samples|8 bits|12|16|20|24|31|bound of 24");
     for (unsigned samples = 1; samples <= QV_AXIS_MAX; samples *= 2) {
         double worst[COUNT(accumulators)] = {0, 0, 0, 0, 0, 0};

@@ -12,7 +12,7 @@ static const our_mode rgba16 = {"RGBA16", QV_STORAGE_RGBA16, &qv_weighted_rgba16
 
 static const double least_psnr = 80, least_equal = 99, least_gain = 20;
 
-enum { seeds = 60 };
+enum { seeds = 200 };
 
 /* ---- RGBA16 ------------------------------------------------------------------------------ */
 
@@ -158,8 +158,8 @@ static void high_bits(const char *folder)
         add_seeded(random, COUNT(random), seed);
     }
     printf("### 2.10 What pictures must reach\n\n"
-           "RGBA16 against double precision of the same voxels at the same points (2.6 has what "
-           "rounding both\ncosts): the scenes of this section, and %d random ones of both "
+           "RGBA16 against double precision of the same voxels at the same points (below: "
+           "what rounding both\ncosts): the scenes of this section, and %d random ones of both "
            "projections.\n\n",
            seeds);
     table_begin(&t, folder, "pictures_goals",
@@ -192,8 +192,14 @@ static double psnr_of(const paper_picture *truth, const picture_scene *scene, co
     return error_psnr(&found);
 }
 
-/* Returns how much less weighted 8 bits are off than preweighted ones, in dB. */
-static double add_low(table *t, unsigned number)
+/* Over scenes, in dB: the least that RGBA16 has, how often that is below what is wanted of the
+   same voxels and points, and the least that weighted 8 bits gain where opacities are low. */
+typedef struct least {
+    double wide, gain;
+    unsigned below;
+} least;
+
+static void add_low(table *t, least *of, unsigned number)
 {
     picture_scene scene;
     paper_picture truth;
@@ -209,13 +215,15 @@ static double add_low(table *t, unsigned number)
     table_number(t, "%.1f", weighted - preweighted);
     paper_picture_free(&truth);
     picture_scene_free(&scene);
-    return scene.low ? weighted - preweighted : HUGE_VAL;
+    of->wide = fmin(of->wide, wide);
+    of->below += wide < least_psnr;
+    of->gain = scene.low ? fmin(of->gain, weighted - preweighted) : of->gain;
 }
 
 static void low_opacities(const char *folder)
 {
     table t;
-    double gain = HUGE_VAL;
+    least of = {HUGE_VAL, HUGE_VAL, 0};
     printf("Opacity-weighted against preweighted 8 bits, PSNR against double precision of real "
            "voxels and points.\nThin, film and veil have opacities of 0 to 9 whole 255ths, which "
            "8 bits hold, and any colours; of\nthe other scenes opacity itself is rounded to 8 "
@@ -223,13 +231,17 @@ static void low_opacities(const char *folder)
     table_begin(&t, folder, "pictures_low",
                 "scene|weighted RGBA16|weighted RGBA8|preweighted RGBA8|gain of 8 bits, dB");
     for (unsigned number = 0; number < picture_scenes; number++) {
-        gain = fmin(gain, add_low(&t, number));
+        add_low(&t, &of, number);
     }
     table_end(&t);
-    goal(gain >= least_gain,
+    printf("By this measure RGBA16 has %.1f dB or more, and less than %.0f in %u scenes: noise and "
+           "sharp edges see\npoints rounded to 1/256 voxel (10 bits would do, 2.2), and mist sees "
+           "opacities rounded to 1/65535.\n\n",
+           of.wide, least_psnr, of.below);
+    goal(of.gain >= least_gain,
          "scenes of low opacity: weighted RGBA8 beats preweighted by %.1f dB or "
          "more, wanted %.0f",
-         gain, least_gain);
+         of.gain, least_gain);
     goals_end();
 }
 

@@ -215,7 +215,8 @@ static void section_7(const char *folder)
         "Colours of 8 bits, weighted by an opacity of 8 bits and stored in 8 bits, are off by "
         "up to\n1/2 * 255/opacity levels of their own; only opacity + 1 of them differ. A voxel: "
         "all 256 colours.\nA picture: the scene thin with this opacity, colours divided by "
-        "opacity again, RMS in levels.\n\n");
+        "opacity again, RMS in levels.\n\n"
+        "Plot: `pictures_section7.png`.\n\n");
     table_begin(&t, folder, "pictures_section7",
                 "opacity of 255|bound|voxel: worst|distinct colours|picture: weighted while "
                 "interpolating|preweighted 8 bits");

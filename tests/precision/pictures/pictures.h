@@ -123,6 +123,9 @@ typedef struct picture_error {
     double squares, sum, worst;     /* before it */
 } picture_error;
 
+/* Adds a pixel. */
+void error_add_pixel(picture_error *into, const double got[4], const double truth[4]);
+
 /* Adds the pixels that are not wholly transparent in the truth. */
 void error_add(picture_error *into, const paper_picture *got, const paper_picture *truth);
 
@@ -132,6 +135,17 @@ void error_take(picture_error *into, paper_picture *got, const paper_picture *tr
 double error_rms(const picture_error *of);
 double error_psnr(const picture_error *of);  /* in dB; HUGE_VAL where nothing is off */
 double error_equal(const picture_error *of); /* per cent */
+
+/* ---- bounds.c ----------------------------------------------------------------------- */
+
+/* At most what a channel of a pixel is off, 1 being full scale: for 8-bit storage, by the
+   library's arithmetic, and by the rounding of voxels to 8 bits. */
+typedef struct pixel_bound {
+    double arithmetic, storage;
+} pixel_bound;
+
+/* The volume's unit distance must not be 0. */
+pixel_bound pixel_bound_of(const qv_scene *scene, ref_mode mode, int32_t x, int32_t y);
 
 /* ---- table.c: Markdown on standard output, CSV in the folder ------------------------ */
 
@@ -162,5 +176,6 @@ void part_budget(const char *folder);
 void part_paper(const char *folder);
 void part_storage(const char *folder);
 void part_goals(const char *folder);
+void part_modes(const char *folder);
 
 #endif /* PICTURES_H */

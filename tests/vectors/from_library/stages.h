@@ -53,4 +53,14 @@ extern const vector_stage stage_dither, stage_hits, stage_plateau, stage_alpha, 
 extern const vector_stage stage_light, stage_blend_plain, stage_blend_dithered, stage_blend24,
     stage_blend_front, stage_residual, stage_replay;
 
+/* stages_splat.c */
+extern const vector_stage stage_order, stage_attenuation, stage_length, stage_scaled,
+    stage_footprint, stage_splat_added, stage_splat_over;
+
+/* stages_preweighted.c */
+extern const vector_stage stage_preweighted_under, stage_preweighted_over;
+
+/* stages_picture.c */
+extern const vector_stage stage_picture;
+
 #endif
