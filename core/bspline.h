@@ -93,11 +93,6 @@ FX_INLINE int qv_rows_any(const qv_rows *rows, const qv_volume *volume, unsigned
     return 0;
 }
 
-FX_INLINE uint32_t qv_larger(uint32_t a, uint32_t b)
-{
-    return a > b ? a : b;
-}
-
 /* The largest opacity of the 27 voxels. */
 FX_INLINE uint32_t qv_rows_most(const qv_rows *rows, const qv_volume *volume, unsigned storage)
 {
@@ -112,19 +107,6 @@ FX_INLINE uint32_t qv_rows_most(const qv_rows *rows, const qv_volume *volume, un
     return most;
 }
 
-/*
- * Adds a voxel of a row. Extinctions of stored opacities are times 2^scale, which takes the
- * largest to 2^29 or more, as in qv_densities: no array of 27 is kept of them.
- */
-FX_INLINE void qv_add_of_row(qv_sample *sum, fx_weight weight, qv_address entry, unsigned storage,
-                             qv_factor factor)
-{
-    fx_density density = fx_density_of(0);
-    if (factor == QV_BY_DENSITY)
-        density = fx_density_of(qv_density(entry, storage) << sum->scale);
-    qv_add_voxel(sum, weight, entry, &density, storage, factor);
-}
-
 /* The sums over all voxels, each with its part of 1. */
 FX_INLINE void qv_add_rows(qv_sample *sum, const qv_rows *rows, const qv_triple triple[3],
                            const qv_volume *volume, unsigned storage, qv_factor factor)
@@ -136,12 +118,12 @@ FX_INLINE void qv_add_rows(qv_sample *sum, const qv_rows *rows, const qv_triple 
         for (unsigned j = 0; j < 3; j++) {
             unsigned number = 3u * k + j;
             qv_part(voxel, row[j], &triple[0]);
-            qv_add_of_row(sum, voxel[0], qv_rows_entry(rows, number, 0, volume, storage), storage,
-                          factor);
-            qv_add_of_row(sum, voxel[1], qv_rows_entry(rows, number, 1, volume, storage), storage,
-                          factor);
-            qv_add_of_row(sum, voxel[2], qv_rows_entry(rows, number, 2, volume, storage), storage,
-                          factor);
+            qv_add_voxel(sum, voxel[0], qv_rows_entry(rows, number, 0, volume, storage), storage,
+                         factor);
+            qv_add_voxel(sum, voxel[1], qv_rows_entry(rows, number, 1, volume, storage), storage,
+                         factor);
+            qv_add_voxel(sum, voxel[2], qv_rows_entry(rows, number, 2, volume, storage), storage,
+                         factor);
         }
     }
 }
@@ -156,7 +138,7 @@ FX_INLINE int qv_rows_begin(qv_sample *sum, const qv_rows *rows, const qv_volume
     uint32_t most = qv_rows_most(rows, volume, storage);
     if (most == 0)
         return 0;
-    sum->scale = fx_leading_zeros(qv_density_of(most, storage)) - 2u; /* it is below 2^30 */
+    sum->scale = qv_density_scale(most, storage);
     return 1;
 }
 

@@ -12,20 +12,19 @@ typedef struct qv_family {
     qv_mode *mode;
     qv_model *under, *over;
     int gathers; /* whether light is gathered beside qv_light */
-    int apart;   /* whether the mode keeps a stack frame of its own, which costs a call a sample */
 } qv_family;
 
 static const qv_family qv_family_corrected = {qv_sample_weighted, qv_corrected_under,
-                                              qv_corrected_over, 0, 0};
+                                              qv_corrected_over, 0};
 static const qv_family qv_family_extinction = {qv_sample_weighted, qv_extinction_under,
-                                               qv_extinction_over, 1, 0};
+                                               qv_extinction_over, 1};
 static const qv_family qv_family_converted = {qv_sample_converted, qv_extinction_under,
-                                              qv_extinction_over, 1, 0};
+                                              qv_extinction_over, 1};
 static const qv_family qv_family_bspline_corrected = {qv_bspline_weighted, qv_corrected_under,
-                                                      qv_corrected_over, 0, 1};
+                                                      qv_corrected_over, 0};
 static const qv_family qv_family_bspline_extinction = {qv_bspline_weighted, qv_extinction_under,
-                                                       qv_extinction_over, 1, 1};
+                                                       qv_extinction_over, 1};
 static const qv_family qv_family_bspline_converted = {qv_bspline_converted, qv_extinction_under,
-                                                      qv_extinction_over, 1, 1};
+                                                      qv_extinction_over, 1};
 
 #endif /* QV_FAMILIES_H */

@@ -60,15 +60,13 @@ qv_status qv_plane_check(const void *pixels, size_t bytes, ptrdiff_t stride, uns
     return check_rows(bytes, stride, row_bytes(width_of(rect), bits), height_of(rect) - 1u);
 }
 
-qv_status qv_image_check(const qv_image *image, const qv_progress *progress, const qv_rect *rect)
+qv_status qv_image_check(const qv_image *image, const qv_rect *rect)
 {
-    if (!image || !progress || !rect || !image->pixels || !image->format)
+    if (!image || !rect || !image->pixels || !image->format)
         return QV_ERROR_NULL;
     if (!in_range(rect))
         return QV_ERROR_RECT;
-    uint16_t width = width_of(rect), height = height_of(rect);
-    if (progress->line > height || progress->column >= width)
-        return QV_ERROR_RECT;
-    unsigned gaps = (height - 1u) >> QV_FIELD(image->format, line_shift);
-    return check_rows(image->bytes, image->stride, qv_row_bytes(image->format, width), gaps);
+    unsigned gaps = (height_of(rect) - 1u) >> QV_FIELD(image->format, line_shift);
+    uint32_t row = qv_row_bytes(image->format, width_of(rect));
+    return check_rows(image->bytes, image->stride, row, gaps);
 }

@@ -6,9 +6,9 @@
 
 #include "qvol.h"
 
-/* Everything that qv_render_some checks before it writes, but the context.
+/* Everything that qv_render checks before it writes, but the context.
    QV_OK, QV_ERROR_NULL, _RECT, _BUFFER. */
-qv_status qv_image_check(const qv_image *image, const qv_progress *progress, const qv_rect *rect);
+qv_status qv_image_check(const qv_image *image, const qv_rect *rect);
 
 /* The same of pixels of so many bits that no format describes. */
 qv_status qv_plane_check(const void *pixels, size_t bytes, ptrdiff_t stride, unsigned bits,

@@ -67,38 +67,24 @@ void qv_span_blend(qv_span *span, const qv_run *run)
     span->rise = (uint32_t)fx_divide((uint64_t)1 << (32u + span->level), span->octave);
 }
 
-/* What sampling reads of the volume itself, or of a level. */
-static void set_level(qv_level *level, const qv_scene *scene, unsigned number)
-{
-    const qv_volume *volume = &scene->volume;
-    if (number != 0) {
-        qv_pyramid_place(&level->voxels, level->size, volume, scene->pyramid, (uint8_t)number);
-        qv_pyramid_strides(level->stride, level->size, volume->storage);
-        return;
-    }
-    level->voxels = volume->voxels;
-    for (unsigned axis = 0; axis < 3; axis++) {
-        level->stride[axis] = volume->stride[axis];
-        level->size[axis] = volume->size[axis];
-    }
-}
-
-/* Makes the levels those of a span. The second is only described where it exists. */
-static void describe(qv_levels *levels, unsigned finer, const qv_scene *scene)
+/* Makes the levels those of a span. The second is only looked for where it exists. */
+static FX_NOINLINE void find(qv_levels *levels, unsigned finer, const qv_scene *scene)
 {
     for (unsigned i = 0; i < 2 && finer + i <= scene->pyramid->levels; i++)
-        set_level(&levels->level[i], scene, finer + i);
+        levels->voxels[i] = qv_pyramid_voxels(&scene->volume, scene->pyramid, (uint8_t)(finer + i));
     levels->finer = finer;
 }
 
-int qv_next_run_of_levels(qv_span *span, qv_levels *levels, qv_run *run, qv_ray *ray,
-                          const qv_scene *scene)
+int qv_cut_run_of_levels(qv_levels *levels, qv_run *run, qv_ray *ray, const qv_scene *scene)
 {
-    qv_span_begin(span, ray, scene);
-    if (!qv_next_run(run, ray, span->end, span->level))
+    qv_span span;
+    qv_span_begin(&span, ray, scene);
+    if (!qv_cut_run(run, ray, span.end, span.level))
         return 0;
-    qv_span_blend(span, run);
-    if (levels->finer != span->level)
-        describe(levels, span->level, scene);
+    qv_span_blend(&span, run);
+    levels->blend = span.blend;
+    levels->rise = span.rise;
+    if (levels->finer != span.level)
+        find(levels, span.level, scene);
     return 1;
 }

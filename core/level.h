@@ -34,27 +34,28 @@ void qv_span_begin(qv_span *span, const qv_ray *ray, const qv_scene *scene);
 /* Sets the share of the coarser level, and its rise, for a run taken from the span. */
 void qv_span_blend(qv_span *span, const qv_run *run);
 
-/* What sampling reads of a level: a part of its volume, as rays keep two. */
-typedef struct qv_level {
-    qv_address voxels;
-    int32_t stride[3];
-    uint16_t size[3];
-} qv_level;
-
-/* Two neighbouring levels. */
+/* Two neighbouring levels, and how they are blended. Size and strides follow from the number. */
 typedef struct qv_levels {
-    qv_level level[2];
-    unsigned finer; /* number of the first; QV_NO_LEVEL at the start */
+    qv_address voxels[2];
+    unsigned finer;       /* number of the first; QV_NO_LEVEL at the start */
+    uint32_t blend, rise; /* of the span */
 } qv_levels;
 
 #define QV_NO_LEVEL 255u
 
-/*
- * The next run of a ray in the span that it lies in, and the two levels there. Returns 0 where the
- * ray is done.
- */
-int qv_next_run_of_levels(qv_span *span, qv_levels *levels, qv_run *run, qv_ray *ray,
-                          const qv_scene *scene);
+/* Takes the next run off a ray in the span that it lies in, and finds the levels there. Returns 0
+   where the ray is done. */
+int qv_cut_run_of_levels(qv_levels *levels, qv_run *run, qv_ray *ray, const qv_scene *scene);
+
+/* The same, and puts the ray there, as qv_next_run. */
+FX_INLINE int qv_next_run_of_levels(qv_levels *levels, qv_run *run, qv_ray *ray,
+                                    const qv_scene *scene)
+{
+    if (!qv_cut_run_of_levels(levels, run, ray, scene))
+        return 0;
+    qv_stand_on_run(ray, run, levels->finer);
+    return 1;
+}
 
 /* Whether the scene has a pyramid, and the level is one of its. QV_OK, QV_ERROR_LEVEL or
    an error of qv_pyramid_check. */

@@ -17,21 +17,18 @@ FX_INLINE void qv_advance_run(qv_run *run, qv_ray *ray)
         ray->place[axis] += ray->advance[axis];
 }
 
-/* What a ray looks at: the volume of a scene, or two levels of a span. */
-typedef struct qv_subject {
-    const qv_volume *volume;
-    const struct qv_levels *levels;
-    struct qv_span *span;
-} qv_subject;
+struct qv_levels;
 
-/* Looks at the point where a ray stands; returns 0 where there is nothing to see. */
-typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
-                    unsigned storage, const qv_family *family);
+/* Looks at the point where a ray stands, in a volume or in two of its levels; returns 0 where
+   there is nothing to see. Functions of their own, so that what they keep on the stack is gone
+   when the next run is looked for. */
+typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+                    struct qv_levels *levels);
 
-FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
+FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                                 unsigned storage, const qv_family *family)
 {
-    return family->mode(sample, ray, subject->volume, storage);
+    return family->mode(sample, ray, volume, storage);
 }
 
 /*
@@ -40,20 +37,19 @@ FX_INLINE int qv_look_at_volume(qv_sample *sample, const qv_ray *ray, const qv_s
  */
 FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, qv_ray *ray,
                            const qv_context *context, unsigned storage, const qv_family *family,
-                           qv_look *look, const qv_subject *subject)
+                           qv_look *look, struct qv_levels *levels)
 {
-    uint32_t enough = (uint32_t)context->scene.termination << 15; /* Q0.16 to Q1.31 */
     qv_medium medium;
     qv_medium_scale(&medium, &context->medium, run->length);
     ray->samples -= run->samples;
     for (; run->samples != 0; qv_advance_run(run, ray)) {
         qv_sample sample;
-        if (!look(&sample, ray, subject, storage, family)) {
+        if (!look(&sample, ray, &context->scene.volume, levels)) {
             light->skipped++;
             continue;
         }
-        family->under(light, gathered, &sample, &medium, storage);
-        if (light->transmittance <= enough) {
+        family->under(light, family->gathers ? gathered : 0, &sample, &medium, storage);
+        if (light->transmittance <= (uint32_t)context->scene.termination << 15) { /* to Q1.31 */
             uint32_t rest = run->samples - 1u;
             ray->samples += rest;
             light->terminated = rest != 0 || ray->enter < ray->leave;
@@ -67,12 +63,11 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
 FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *context,
                                 unsigned storage, const qv_family *family, qv_look *look)
 {
-    const qv_subject subject = {&context->scene.volume, 0, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
     qv_run_begin(&run, ray);
     while (qv_next_run(&run, ray, ray->leave, 0) &&
-           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &subject))
+           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, 0))
         ;
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);
@@ -82,7 +77,6 @@ FX_INLINE void qv_march_lengths(qv_light *light, qv_ray *ray, const qv_context *
 FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_context *context,
                                      unsigned storage, const qv_family *family, qv_look *look)
 {
-    const qv_subject subject = {&context->scene.volume, 0, 0};
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_run run;
     qv_path_reverse(ray);
@@ -93,16 +87,13 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
         for (; run.samples != 0; qv_advance_run(&run, ray)) {
             qv_sample sample;
             ray->samples--;
-            if (look(&sample, ray, &subject, storage, family))
-                family->over(light, &gathered, &sample, &medium, storage);
+            if (look(&sample, ray, &context->scene.volume, 0))
+                family->over(light, family->gathers ? &gathered : 0, &sample, &medium, storage);
             else
                 light->skipped++;
         }
     }
 }
-
-/* How a family looks at a volume: as part of the loop, or apart from it. */
-#define QV_LOOK(family, look_apart) ((family)->apart ? look_apart : qv_look_at_volume)
 
 /*
  * Defines the sampling mode qv_MODE_SUFFIX of a family for a storage, in both orders.
@@ -111,23 +102,20 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
  */
 #define QV_DEFINE_BY_LENGTH(mode, suffix, prepare, family, read_out, storage)                      \
     static FX_NOINLINE int look_##suffix(qv_sample *sample, const qv_ray *ray,                     \
-                                         const qv_subject *subject, unsigned of,                   \
-                                         const qv_family *by)                                      \
+                                         const qv_volume *volume, struct qv_levels *levels)        \
     {                                                                                              \
-        (void)of;                                                                                  \
-        (void)by;                                                                                  \
-        return qv_look_at_volume(sample, ray, subject, storage, family);                           \
+        (void)levels;                                                                              \
+        return qv_look_at_volume(sample, ray, volume, storage, family);                            \
     }                                                                                              \
     static FX_NOINLINE void pieces_##suffix(qv_light *light, qv_ray *ray,                          \
                                             const qv_context *context)                             \
     {                                                                                              \
-        qv_march_lengths(light, ray, context, storage, family, QV_LOOK(family, look_##suffix));    \
+        qv_march_lengths(light, ray, context, storage, family, look_##suffix);                     \
     }                                                                                              \
     static FX_NOINLINE void pieces_back_##suffix(qv_light *light, qv_ray *ray,                     \
                                                  const qv_context *context)                        \
     {                                                                                              \
-        qv_march_lengths_back(light, ray, context, storage, family,                                \
-                              QV_LOOK(family, look_##suffix));                                     \
+        qv_march_lengths_back(light, ray, context, storage, family, look_##suffix);                \
     }                                                                                              \
     static void march_##suffix(qv_light *light, qv_ray *ray, const qv_context *context)            \
     {                                                                                              \

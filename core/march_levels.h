@@ -6,6 +6,7 @@
 
 #include "level.h"
 #include "march_lengths.h"
+#include "pyramid.h"
 
 /* A sum of one level and that of the next, in proportion, to nearest: never above the
    larger, and exact where they are equal. share is not 0; both are below 2^32 - 2^15. */
@@ -15,20 +16,9 @@ FX_INLINE uint32_t qv_blend_sums(uint32_t finer, uint32_t coarser, uint32_t shar
     return (uint32_t)((sum + 0x80000000u) >> 32);
 }
 
-/* Blends the coarser sample into the finer one, both at the lesser of their scales. */
-FX_INLINE void qv_blend_samples(qv_sample *finer, const qv_sample *coarser, uint32_t share)
-{
-    unsigned scale = finer->scale < coarser->scale ? finer->scale : coarser->scale;
-    unsigned down = finer->scale - scale, coarser_down = coarser->scale - scale;
-    finer->scale = scale;
-    finer->opacity =
-        fx_share_of(qv_blend_sums(fx_share_bits(finer->opacity) >> down,
-                                  fx_share_bits(coarser->opacity) >> coarser_down, share));
-    for (unsigned c = 0; c < 3; c++)
-        finer->light[c] =
-            fx_sum_of(qv_blend_sums(fx_sum_bits(finer->light[c]) >> down,
-                                    fx_sum_bits(coarser->light[c]) >> coarser_down, share));
-}
+/* Blends the coarser sample into the finer one, both at the lesser of their scales. share is the
+   coarser one's, Q0.32, and not 0. */
+void qv_blend_samples(qv_sample *finer, const qv_sample *coarser, uint32_t share);
 
 /* A sample without opacity, which takes the scale of any other. */
 FX_INLINE void qv_clear_sample(qv_sample *sample)
@@ -39,54 +29,52 @@ FX_INLINE void qv_clear_sample(qv_sample *sample)
     sample->scale = 31;
 }
 
-/* One axis of where a ray stands on a level, the finer or the one above, and of the level. */
-FX_INLINE void qv_stand_on_level(qv_ray *there, qv_volume *volume, const qv_ray *ray,
-                                 const qv_level *level, unsigned which, unsigned axis)
+/* One axis of where a ray stands on a level, the finer or the one above. */
+FX_INLINE qv_coord qv_place_on_level(const qv_ray *ray, unsigned which, unsigned axis)
 {
     qv_coord place = ray->place[axis];
-    there->place[axis] = which == 0 ? place : fx_shift_floor(place - QV_CENTRED, 1) + QV_CENTRED;
-    volume->stride[axis] = level->stride[axis];
-    volume->size[axis] = level->size[axis];
+    return which == 0 ? place : fx_shift_floor(place - QV_CENTRED, 1) + QV_CENTRED;
 }
 
 /* One of the two levels, as entries. Modes read nothing else of a ray and of a volume without
    a palette; written out, no more than that is kept of both. */
-FX_INLINE int qv_look_at_level(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
-                               unsigned which, unsigned storage, const qv_family *family)
+FX_INLINE int qv_look_at_level(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+                               const qv_levels *levels, unsigned which, unsigned storage,
+                               const qv_family *family)
 {
-    const qv_level *level = &subject->levels->level[which];
-    qv_volume volume;
+    unsigned entries = qv_entry_storage(storage);
+    qv_volume level;
     qv_ray there;
-    volume.voxels = level->voxels;
-    qv_stand_on_level(&there, &volume, ray, level, which, 0);
-    qv_stand_on_level(&there, &volume, ray, level, which, 1);
-    qv_stand_on_level(&there, &volume, ray, level, which, 2);
-    return family->mode(sample, &there, &volume, qv_entry_storage(storage));
+    level.voxels = levels->voxels[which];
+    qv_level_shape(&level, volume, levels->finer + which, entries);
+    there.place[0] = qv_place_on_level(ray, which, 0);
+    there.place[1] = qv_place_on_level(ray, which, 1);
+    there.place[2] = qv_place_on_level(ray, which, 2);
+    return family->mode(sample, &there, &level, entries);
 }
 
-/* How two levels are looked at: each apart from the loop, since two are long, and so that the
-   stack holds one of them at a time. */
-typedef int qv_look_apart(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
-                          unsigned which);
+/* One of the two levels, apart from the other: the stack holds one look at a time. */
+typedef int qv_look_apart(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+                          const qv_levels *levels, unsigned which);
 
 /* The finer level, and the coarser where it has a share. */
-FX_INLINE int qv_look_at_levels(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,
-                                unsigned storage, qv_look_apart *indices, qv_look_apart *entries)
+FX_INLINE int qv_look_at_levels(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
+                                qv_levels *levels, unsigned storage, qv_look_apart *indices,
+                                qv_look_apart *entries)
 {
-    uint32_t share = subject->span->blend;
-    int of_indices = qv_storage_indexed(storage) && subject->span->level == 0;
+    int of_indices = qv_storage_indexed(storage) && levels->finer == 0;
     qv_sample coarser;
     qv_clear_sample(sample);
-    int seen = of_indices ? indices(sample, ray, subject, 0) : entries(sample, ray, subject, 0);
-    subject->span->blend = share + subject->span->rise;
-    if (share == 0)
-        return seen;
-    qv_clear_sample(&coarser);
-    seen |= entries(&coarser, ray, subject, 1);
-    if (!seen)
-        return 0;
-    qv_blend_samples(sample, &coarser, share);
-    return 1;
+    int seen = of_indices ? indices(sample, ray, volume, levels, 0)
+                          : entries(sample, ray, volume, levels, 0);
+    if (levels->blend != 0) {
+        qv_clear_sample(&coarser);
+        seen |= entries(&coarser, ray, volume, levels, 1);
+        if (seen)
+            qv_blend_samples(sample, &coarser, levels->blend);
+    }
+    levels->blend += levels->rise;
+    return seen;
 }
 
 FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *context,
@@ -94,13 +82,11 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
 {
     qv_gathered gathered = {{0, 0, 0}, 0};
     qv_levels levels;
-    qv_span span;
     qv_run run;
-    const qv_subject subject = {&context->scene.volume, &levels, &span};
     levels.finer = QV_NO_LEVEL;
     qv_run_begin(&run, ray);
-    while (qv_next_run_of_levels(&span, &levels, &run, ray, &context->scene) &&
-           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &subject))
+    while (qv_next_run_of_levels(&levels, &run, ray, &context->scene) &&
+           qv_march_run(light, &gathered, &run, ray, context, storage, family, look, &levels))
         ;
     if (family->gathers)
         qv_gathered_light(light, &gathered, &context->medium);
@@ -116,21 +102,24 @@ FX_INLINE void qv_march_levels(qv_light *light, qv_ray *ray, const qv_context *c
         return status;                                                                             \
     }                                                                                              \
     static FX_NOINLINE int indices_##suffix(qv_sample *sample, const qv_ray *ray,                  \
-                                            const qv_subject *subject, unsigned which)             \
+                                            const qv_volume *volume, const qv_levels *levels,      \
+                                            unsigned which)                                        \
     {                                                                                              \
+        (void)levels;                                                                              \
         (void)which;                                                                               \
-        return qv_look_at_volume(sample, ray, subject, storage, family);                           \
+        return qv_look_at_volume(sample, ray, volume, storage, family);                            \
     }                                                                                              \
     static FX_NOINLINE int entries_##suffix(qv_sample *sample, const qv_ray *ray,                  \
-                                            const qv_subject *subject, unsigned which)             \
+                                            const qv_volume *volume, const qv_levels *levels,      \
+                                            unsigned which)                                        \
     {                                                                                              \
-        return qv_look_at_level(sample, ray, subject, which, storage, family);                     \
+        return qv_look_at_level(sample, ray, volume, levels, which, storage, family);              \
     }                                                                                              \
-    static int look_##suffix(qv_sample *sample, const qv_ray *ray, const qv_subject *subject,      \
-                             unsigned of, const qv_family *by)                                     \
+    static int look_##suffix(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,        \
+                             qv_levels *levels)                                                    \
     {                                                                                              \
-        (void)by;                                                                                  \
-        return qv_look_at_levels(sample, ray, subject, of, indices_##suffix, entries_##suffix);    \
+        return qv_look_at_levels(sample, ray, volume, levels, storage, indices_##suffix,           \
+                                 entries_##suffix);                                                \
     }                                                                                              \
     static FX_NOINLINE void pieces_##suffix(qv_light *light, qv_ray *ray,                          \
                                             const qv_context *context)                             \

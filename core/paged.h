@@ -107,55 +107,67 @@ FX_INLINE int qv_paged_converted(qv_sample *sample, const qv_ray *ray, const qv_
 
 /* ---- B-splines ---------------------------------------------------------------- */
 
-/* The entries of the 27 voxels, x fastest; returns 0 where none has opacity. */
-FX_INLINE int qv_paged_taps(qv_address entry[QV_BSPLINE_TAPS], const qv_triple triple[3],
-                            const qv_volume *volume, unsigned storage)
+/* The entry of one of the 27 voxels, numbered x fastest. */
+FX_INLINE qv_address qv_paged_tap(unsigned number, const qv_triple triple[3],
+                                  const qv_volume *volume, unsigned storage)
 {
-    uint32_t any = 0;
-    for (unsigned i = 0; i < QV_BSPLINE_TAPS; i++) {
-        const uint16_t position[3] = {(uint16_t)triple[0].at[i % 3u],
-                                      (uint16_t)triple[1].at[i / 3u % 3u],
-                                      (uint16_t)triple[2].at[i / 9u]};
-        entry[i] = qv_paged_entry(qv_pages_voxel(volume->pages, position), volume, storage);
-        any |= qv_opacity_bits(entry[i], storage);
-    }
-    return any != 0;
+    const uint16_t position[3] = {(uint16_t)triple[0].at[number % 3u],
+                                  (uint16_t)triple[1].at[number / 3u % 3u],
+                                  (uint16_t)triple[2].at[number / 9u]};
+    return qv_paged_entry(qv_pages_voxel(volume->pages, position), volume, storage);
 }
 
-/* The sums over all voxels, each with its part of 1. */
-FX_INLINE void qv_paged_add_taps(qv_sample *sum, const qv_address entry[QV_BSPLINE_TAPS],
-                                 const qv_triple triple[3],
-                                 const fx_density density[QV_BSPLINE_TAPS], unsigned storage,
-                                 qv_factor factor)
+/* The largest opacity of the 27 voxels. */
+FX_INLINE uint32_t qv_paged_most(const qv_triple triple[3], const qv_volume *volume,
+                                 unsigned storage)
+{
+    uint32_t most = 0;
+    for (unsigned i = 0; i < QV_BSPLINE_TAPS; i++)
+        most = qv_larger(most, qv_opacity_bits(qv_paged_tap(i, triple, volume, storage), storage));
+    return most;
+}
+
+/*
+ * The sums over all voxels, each with its part of 1. A voxel is looked for where it is added, so
+ * that the stack keeps no list of 27; those without opacity add nothing. Returns 0 where all are.
+ */
+FX_INLINE int qv_paged_add_taps(qv_sample *sum, const qv_triple triple[3], const qv_volume *volume,
+                                unsigned storage, qv_factor factor)
 {
     fx_weight slice[3], row[3], voxel[3];
+    int seen = 0;
     qv_part_one(slice, &triple[2]);
     for (unsigned i = 0; i < QV_BSPLINE_TAPS; i++) {
         if (i % 9u == 0)
             qv_part(row, slice[i / 9u], &triple[1]);
         if (i % 3u == 0)
             qv_part(voxel, row[i / 3u % 3u], &triple[0]);
-        qv_add_voxel(sum, voxel[i % 3u], entry[i], &density[i], storage, factor);
+        qv_address entry = qv_paged_tap(i, triple, volume, storage);
+        if (qv_opacity_bits(entry, storage) != 0) {
+            qv_add_voxel(sum, voxel[i % 3u], entry, storage, factor);
+            seen = 1;
+        }
     }
+    return seen;
 }
 
 FX_INLINE int qv_paged_bspline(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                                unsigned storage, qv_factor factor)
 {
     qv_triple triple[3];
-    qv_address entry[QV_BSPLINE_TAPS];
-    fx_density density[QV_BSPLINE_TAPS];
     for (unsigned axis = 0; axis < 3; axis++)
         qv_triple_locate(&triple[axis], volume->size[axis], 1, ray, axis);
-    if (!qv_paged_taps(entry, triple, volume, storage))
-        return 0;
-    sample->scale =
-        factor == QV_BY_DENSITY ? qv_densities(density, entry, QV_BSPLINE_TAPS, storage) : 0u;
+    sample->scale = 0;
+    if (factor == QV_BY_DENSITY) {
+        uint32_t most = qv_paged_most(triple, volume, storage);
+        if (most == 0)
+            return 0;
+        sample->scale = qv_density_scale(most, storage);
+    }
     sample->opacity = fx_share_of(0);
     for (unsigned c = 0; c < 3; c++)
         sample->light[c] = fx_sum_of(0);
-    qv_paged_add_taps(sample, entry, triple, density, storage, factor);
-    return 1;
+    return qv_paged_add_taps(sample, triple, volume, storage, factor);
 }
 
 FX_INLINE int qv_paged_bspline_weighted(qv_sample *sample, const qv_ray *ray,

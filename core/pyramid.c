@@ -3,7 +3,6 @@
 #include "fx_wide.h"
 #include "access.h"
 #include "layout.h"
-#include "storage.h"
 
 /* Offsets of voxels must fit a qv_offset, which is signed. */
 #define OFFSET_BITS (8u * sizeof(qv_offset) - 1u)
@@ -62,20 +61,12 @@ static uint32_t wider(uint32_t spacing, uint8_t number)
     return spacing > 0xFFFFFFFFu >> number ? 0xFFFFFFFFu : spacing << number;
 }
 
-void qv_pyramid_place(qv_address *voxels, uint16_t size[3], const qv_volume *volume,
-                      const qv_pyramid *pyramid, uint8_t number)
+qv_address qv_pyramid_voxels(const qv_volume *volume, const qv_pyramid *pyramid, uint8_t number)
 {
+    if (number == 0)
+        return volume->voxels;
     uint64_t before = qv_pyramid_bytes(volume->size, volume->storage, (uint8_t)(number - 1u));
-    *voxels = qv_at(pyramid->voxels, (qv_offset)before);
-    for (unsigned axis = 0; axis < 3; axis++)
-        size[axis] = qv_level_size(volume->size[axis], number);
-}
-
-void qv_pyramid_strides(int32_t stride[3], const uint16_t size[3], unsigned storage)
-{
-    stride[0] = (int32_t)qv_entry_bytes(storage);
-    stride[1] = stride[0] * size[0];
-    stride[2] = stride[1] * size[1]; /* <= 8 * 2^22 */
+    return qv_at(pyramid->voxels, (qv_offset)before);
 }
 
 void qv_pyramid_describe(qv_volume *level, const qv_volume *volume, const qv_pyramid *pyramid,
@@ -83,14 +74,14 @@ void qv_pyramid_describe(qv_volume *level, const qv_volume *volume, const qv_pyr
 {
     unsigned storage = qv_entry_storage(volume->storage);
     qv_volume v = *volume;
-    qv_pyramid_place(&v.voxels, v.size, volume, pyramid, number);
+    v.voxels = qv_pyramid_voxels(volume, pyramid, number);
+    qv_level_shape(&v, volume, number, storage);
     v.palette = 0;
     v.palette_bytes = 0;
     v.storage = (uint8_t)storage;
     for (unsigned axis = 0; axis < 3; axis++)
         v.spacing[axis] = wider(qv_spacing(volume->spacing, axis), number);
     v.voxels_bytes = level_bytes(v.size, storage);
-    qv_pyramid_strides(v.stride, v.size, storage);
     *level = v;
 }
 

@@ -26,10 +26,9 @@ static void finish(qv_pixel *pixel, const qv_fragment *fragment, const qv_contex
 qv_status qv_read_out(const qv_image *image, const qv_buffer *buffer, const qv_context *context,
                       const qv_rect *rect)
 {
-    qv_progress none = {0, 0, 0, 0, 0};
     qv_status status = context ? qv_buffer_check(buffer, rect) : QV_ERROR_NULL;
     if (status == QV_OK)
-        status = qv_image_check(image, &none, rect);
+        status = qv_image_check(image, rect);
     if (status != QV_OK)
         return status;
     unsigned width = (unsigned)(rect->right - rect->left);

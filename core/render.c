@@ -20,55 +20,70 @@ static void finish(qv_pixel *pixel, const qv_light *light, const qv_context *con
     pixel->channel[3] = opacity;
 }
 
-/* The light of a pixel's ray. */
-static void trace(qv_light *light, qv_progress *progress, const qv_context *context, int32_t x,
-                  int32_t y)
+/* A pixel of the frame, and the light there. */
+typedef struct spot {
+    qv_light light;
+    int32_t x, y;
+} spot;
+
+/* The light of a pixel's ray. Written into its callers, of which one counts nothing: no frame of
+   it lies between them and the ray's march. */
+FX_INLINE void trace(spot *at, qv_progress *counts, const qv_context *context)
 {
+    const qv_light clear = {{0, 0, 0}, QV_CLEAR, 0, 0};
     qv_ray ray;
-    if (QV_FIELD(context->scene.camera.projection, ray)(&ray, context, x, y)) {
-        QV_FIELD(context->scene.sampling, march)(light, &ray, context);
-        progress->samples += ray.all - ray.samples; /* those that were taken */
-    }
-    progress->skipped += light->skipped;
-    progress->terminated += (uint32_t)light->terminated;
+    at->light = clear;
+    int hits = QV_FIELD(context->scene.camera.projection, ray)(&ray, context, at->x, at->y);
+    if (hits)
+        QV_FIELD(context->scene.sampling, march)(&at->light, &ray, context);
+    if (!counts)
+        return;
+    if (hits)
+        counts->samples += ray.all - ray.samples; /* those that were taken */
+    counts->skipped += at->light.skipped;
+    counts->terminated += (uint32_t)at->light.terminated;
 }
 
 /* Its pixel is made when the ray is gone: the stack holds one of them at a time. */
-static void put_light(const qv_image *image, const qv_progress *at, const qv_context *context,
-                      const qv_light *light, int32_t x, int32_t y)
+static FX_NOINLINE void put(const qv_image *image, const spot *at, const qv_context *context,
+                            const qv_rect *rect)
 {
-    unsigned column = at->column, line = at->line;
+    unsigned column = (unsigned)(at->x - rect->left), line = (unsigned)(at->y - rect->top);
     ptrdiff_t offset = (ptrdiff_t)(line >> QV_FIELD(image->format, line_shift)) * image->stride;
     qv_pixel pixel;
-    finish(&pixel, light, context);
-    pixel.x = (uint32_t)x;
-    pixel.y = (uint32_t)y;
+    finish(&pixel, &at->light, context);
+    pixel.x = (uint32_t)at->x;
+    pixel.y = (uint32_t)at->y;
     QV_FIELD(image->format, store)((uint8_t *)image->pixels + offset, column, line, &pixel);
 }
 
-static void render_next(const qv_image *image, qv_progress *progress, const qv_context *context,
-                        const qv_rect *rect)
+static int is_within(const qv_progress *progress, const qv_rect *rect)
 {
-    int32_t x = rect->left + progress->column, y = rect->top + progress->line;
-    qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
-    trace(&light, progress, context, x, y);
-    put_light(image, progress, context, &light, x, y);
+    return rect->top + progress->line <= rect->bottom &&
+           rect->left + progress->column < rect->right;
 }
 
 qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_context *context,
                          const qv_rect *rect, uint32_t max_pixels)
 {
-    qv_status status = context ? qv_image_check(image, progress, rect) : QV_ERROR_NULL;
+    qv_status status = context && progress ? qv_image_check(image, rect) : QV_ERROR_NULL;
+    if (status == QV_OK && !is_within(progress, rect))
+        status = QV_ERROR_RECT;
     if (status != QV_OK)
         return status;
-    int32_t width = rect->right - rect->left, height = rect->bottom - rect->top;
-    for (uint32_t left = max_pixels; progress->line != height; left--) {
+    for (uint32_t left = max_pixels; rect->top + progress->line != rect->bottom; left--) {
+        spot at;
         if (left == 0)
             return QV_MORE;
-        render_next(image, progress, context, rect);
-        if (++progress->column == width) {
+        at.x = rect->left + progress->column;
+        at.y = rect->top + progress->line;
+        trace(&at, progress, context);
+        put(image, &at, context, rect);
+        if (at.x + 1 == rect->right) {
             progress->column = 0;
             progress->line++;
+        } else {
+            progress->column++;
         }
     }
     return qv_pages_status(&context->scene.volume);
@@ -76,11 +91,14 @@ qv_status qv_render_some(const qv_image *image, qv_progress *progress, const qv_
 
 qv_status qv_render(const qv_image *image, const qv_context *context, const qv_rect *rect)
 {
-    qv_progress progress;
-    progress.column = 0;
-    progress.line = 0;
-    progress.terminated = 0;
-    progress.samples = 0;
-    progress.skipped = 0;
-    return qv_render_some(image, &progress, context, rect, 0xFFFFFFFFu);
+    qv_status status = context ? qv_image_check(image, rect) : QV_ERROR_NULL;
+    if (status != QV_OK)
+        return status;
+    spot at;
+    for (at.y = rect->top; at.y != rect->bottom; at.y++)
+        for (at.x = rect->left; at.x != rect->right; at.x++) {
+            trace(&at, 0, context);
+            put(image, &at, context, rect);
+        }
+    return qv_pages_status(&context->scene.volume);
 }

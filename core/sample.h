@@ -63,22 +63,26 @@ FX_INLINE fx_extinction qv_density(qv_address entry, unsigned storage)
 }
 
 /*
- * Extinctions of entries of which one has opacity, all times the power of 2 that takes the
- * largest to 2^29 or more: thin media keep as many bits as dense ones. Returns its exponent.
+ * The exponent of the power of 2 that takes the extinction of the largest opacity of a sample, which
+ * is not 0, to 2^29 or more: thin media keep as many bits as dense ones.
  */
-FX_INLINE unsigned qv_densities(fx_density density[], const qv_address entry[], unsigned count,
-                                unsigned storage)
+FX_INLINE unsigned qv_density_scale(uint32_t most, unsigned storage)
 {
-    fx_extinction all = 0;
-    for (unsigned i = 0; i < count; i++) {
-        fx_extinction extinction = qv_density(entry[i], storage);
-        density[i] = fx_density_of(extinction);
-        all |= extinction;
-    }
-    unsigned scale = fx_leading_zeros(all) - 2u; /* 0 < all < 2^30 */
-    for (unsigned i = 0; i < count; i++)
-        density[i] = fx_density_of(fx_density_bits(density[i]) << scale);
-    return scale;
+    return fx_leading_zeros(qv_density_of(most, storage)) - 2u; /* it is below 2^30 */
+}
+
+FX_INLINE uint32_t qv_larger(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* The largest opacity of a cell's corners. */
+FX_INLINE uint32_t qv_most_opacity(const qv_address corner[8], unsigned storage)
+{
+    uint32_t most = qv_opacity_bits(corner[0], storage);
+    for (unsigned i = 1; i < 8; i++)
+        most = qv_larger(most, qv_opacity_bits(corner[i], storage));
+    return most;
 }
 
 /* A colour with 16 bits, from either storage: 8 bits are repeated. */
@@ -114,23 +118,23 @@ FX_INLINE void qv_terms(fx_sum term[3], fx_weight weight, fx_share share, qv_add
     }
 }
 
-/* A voxel's share of the sample's opacity or extinction. Its density is read by density
-   alone. */
-FX_INLINE fx_share qv_share(fx_weight weight, qv_address entry, const fx_density *density,
-                            unsigned storage, qv_factor factor)
+/* A voxel's share of the sample's opacity or extinction. The extinction of a stored opacity is made
+   where it is used, times 2^scale: the stack keeps none of the others. */
+FX_INLINE fx_share qv_share(fx_weight weight, qv_address entry, unsigned scale, unsigned storage,
+                            qv_factor factor)
 {
     if (factor == QV_BY_DENSITY)
-        return fx_share_of_density(weight, *density);
+        return fx_share_of_density(weight, fx_density_of(qv_density(entry, storage) << scale));
     return fx_share_mul(weight, qv_channel(entry, 3, storage));
 }
 
 /* Adds one voxel to the sums. */
-FX_INLINE void qv_add_voxel(qv_sample *sum, fx_weight weight, qv_address entry,
-                            const fx_density *density, unsigned storage, qv_factor factor)
+FX_INLINE void qv_add_voxel(qv_sample *sum, fx_weight weight, qv_address entry, unsigned storage,
+                            qv_factor factor)
 {
     fx_sum term[3];
     FX_IN_ORDER();
-    fx_share share = qv_share(weight, entry, density, storage, factor);
+    fx_share share = qv_share(weight, entry, sum->scale, storage, factor);
     qv_terms(term, weight, share, entry, storage, factor);
     sum->opacity = fx_share_add(sum->opacity, share);
     sum->light[0] = fx_sum_add(sum->light[0], term[0]);
@@ -145,18 +149,19 @@ FX_INLINE int qv_interpolate_corners(qv_sample *sample, const qv_address corner[
                                      qv_factor factor)
 {
     fx_weight weight[8];
-    fx_density density[8];
     if (!qv_any_opacity(corner, storage))
         return 0;
     FX_FORGET();
     qv_weights(weight, fraction);
-    sample->scale = factor == QV_BY_DENSITY ? qv_densities(density, corner, 8, storage) : 0u;
+    sample->scale = 0;
+    if (factor == QV_BY_DENSITY)
+        sample->scale = qv_density_scale(qv_most_opacity(corner, storage), storage);
 
-    sample->opacity = qv_share(weight[0], corner[0], &density[0], storage, factor);
+    sample->opacity = qv_share(weight[0], corner[0], sample->scale, storage, factor);
     qv_terms(sample->light, weight[0], sample->opacity, corner[0], storage, factor);
     FX_UNROLL
     for (unsigned i = 1; i < 8; i++)
-        qv_add_voxel(sample, weight[i], corner[i], &density[i], storage, factor);
+        qv_add_voxel(sample, weight[i], corner[i], storage, factor);
     return 1;
 }
 

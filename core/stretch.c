@@ -120,10 +120,9 @@ static qv_coord part_of(qv_coord advance, uint32_t part)
     return fx_shift_floor(upper + fx_shift_floor(lower, 8) + 0x8000, 16);
 }
 
-/* Puts a ray to the middle of a run, in voxels of the level. The way there is below 2^23
-   steps of at most 2^8 voxels, and the point lies in the box. 2^level steps are as many voxels
-   of the level as a step is of the volume. */
-static void place_ray(qv_ray *ray, const qv_run *run, unsigned level)
+/* The way there is below 2^23 steps of at most 2^8 voxels, and the point lies in the box. 2^level
+   steps are as many voxels of the level as a step is of the volume. */
+void qv_stand_on_run(qv_ray *ray, const qv_run *run, unsigned level)
 {
     int32_t whole = (int32_t)fx_shift_floor(run->middle, QV_STEP_BITS);
     uint32_t part = (uint32_t)run->middle & (uint32_t)(QV_STEP - 1);
@@ -136,7 +135,7 @@ static void place_ray(qv_ray *ray, const qv_run *run, unsigned level)
     }
 }
 
-int qv_next_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level)
+int qv_cut_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level)
 {
     int64_t whole = QV_STEP << level;
     int64_t left = (end < ray->leave ? end : ray->leave) - ray->enter;
@@ -149,7 +148,6 @@ int qv_next_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level)
     /* to nearest; <= 2^28 */
     run->length = (uint32_t)((length + (1 << LENGTH_SHIFT) / 2) >> LENGTH_SHIFT);
     run->middle = ray->enter + length / 2;
-    place_ray(ray, run, level);
     ray->enter += length * run->samples;
     return 1;
 }

@@ -43,13 +43,25 @@ int64_t qv_path_begin(const qv_ray *ray, const qv_scene *scene);
  */
 void qv_path_clip(qv_ray *ray, const qv_context *context);
 
+/* Takes the next run off a ray, whose place stays. As qv_next_run. */
+int qv_cut_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level);
+
+/* Puts a ray to the middle of a run's first piece, in voxels of the level. */
+void qv_stand_on_run(qv_ray *ray, const qv_run *run, unsigned level);
+
 /*
  * Takes the next run off a ray, up to the position `end` at most: one piece up to the
  * next border, or all whole stretches that follow. Returns 0 where the ray is done.
  * The ray's place becomes the middle of its first piece, in voxels of the level, whose stretches
- * are 2^level steps long.
+ * are 2^level steps long. Two steps, one after the other: the stack holds one of them at a time.
  */
-int qv_next_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level);
+FX_INLINE int qv_next_run(qv_run *run, qv_ray *ray, int64_t end, unsigned level)
+{
+    if (!qv_cut_run(run, ray, end, level))
+        return 0;
+    qv_stand_on_run(ray, run, level);
+    return 1;
+}
 
 /* Turns a ray round, for level 0: what it leaves last, it enters first. */
 void qv_path_reverse(qv_ray *ray);

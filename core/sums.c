@@ -115,11 +115,10 @@ static void finish(qv_pixel *pixel, const uint32_t *sum, const uint32_t behind[4
 
 qv_status qv_sums_read_out(const qv_image *image, const qv_sums *sums, const qv_splats *splats)
 {
-    const qv_progress none = {0, 0, 0, 0, 0};
     uint32_t behind[4] = {0, 0, 0, 0};
     qv_status status = splats ? qv_sums_check(sums) : QV_ERROR_NULL;
     if (status == QV_OK)
-        status = qv_image_check(image, &none, &sums->rect);
+        status = qv_image_check(image, &sums->rect);
     if (status == QV_OK && is_over(image, sums))
         status = QV_ERROR_OVERLAP;
     if (status == QV_OK && is_full(sums))

@@ -61,7 +61,10 @@ static const vector_field transmittance_fields[] = {
     {"index", 1, 'm', "u6", "floor(g / 2^26)"},
     {"base", 1, 'm', "u32.31", "round(2^(31 + index / 64))"},
     {"place", 1, 'm', "u32.32", "64 g mod 2^32"},
-    {"t", 1, 'o', "u32.31", "T(x) of section 27"},
+    {"t", 1, 'o', "u32.31",
+     "0 where w >= 32, 2^(31-w) where g = 0, else floor((floor((base + floor(hi(base, r) / 64)) / "
+     "2^w) + 1) / 2), with r = hi(place, 0xB1721819 + hi(place, 0x00F5FD31 + floor(0xE494 * "
+     "floor(place / 65536) / 65536)))"},
     {"opacity", 1, 'o', "u32.31", "2147483648 - t"},
     {NULL, 0, 0, NULL, NULL}};
 
@@ -122,7 +125,11 @@ static const vector_field transmittance16_fields[] = {
     {"g", 1, 'm', "u24.24", "(-x) mod 2^24"},
     {"base", 1, 'm', "u32.31", "exp_power[floor(g / 2^18)]"},
     {"place", 1, 'm', "u16.16", "floor(g / 4) mod 65536"},
-    {"t16", 1, 'o', "unorm16", "T16(x) of section 27"},
+    {"t16", 1, 'o', "unorm16",
+     "0 where w >= 17, else floor((floor(q / 2^(14+w)) + 1) / 2), with q = p - floor(p / 65536), p "
+     "= 2^31 where g = 0, else floor((base + floor(shift16(r, floor((base + 32768) / 65536)) / "
+     "64)) / 2), r = shift16(0xB171A5D5 + floor(0xF754 * place / 256), place) + 0x2C7B * (g mod "
+     "4)"},
     {"opacity16", 1, 'o', "unorm16", "65535 - t16"},
     {NULL, 0, 0, NULL, NULL}};
 

@@ -96,7 +96,6 @@ static unsigned converted_compute(converted_row *row, unsigned storage)
 {
     corners at;
     qv_sample sample;
-    fx_density density[8];
     fx_fraction fraction[3];
     set_corners(&at, row->channel, storage);
     set_weights(row->w, row->f);
@@ -105,11 +104,11 @@ static unsigned converted_compute(converted_row *row, unsigned storage)
     row->skipped = !qv_interpolate_corners(&sample, at.at, fraction, storage, QV_BY_DENSITY);
     if (row->skipped)
         return 0;
-    row->s = qv_densities(density, at.at, 8, storage);
+    row->s = sample.scale;
     for (unsigned q = 0; q < 8; q++) {
         const fx_weight weight = fx_weight_of((uint32_t)row->w[q]);
         row->e[q] = qv_density(at.at[q], storage);
-        row->h[q] = fx_share_bits(fx_share_of_density(weight, density[q]));
+        row->h[q] = fx_share_bits(qv_share(weight, at.at[q], sample.scale, storage, QV_BY_DENSITY));
     }
     row->o = fx_share_bits(sample.opacity);
     for (unsigned c = 0; c < 3; c++)

@@ -70,7 +70,7 @@ static void read_format(vector_column *column, const char *stage)
 }
 
 /* The text with the index in place of each [i]. */
-static void set_text(vector_column *column, unsigned index)
+static void set_text(vector_column *column, unsigned index, const char *stage)
 {
     const char *from = column->field->text;
     size_t used = 0;
@@ -82,6 +82,8 @@ static void set_text(vector_column *column, unsigned index)
             column->text[used++] = *from++;
         }
     }
+    if (*from != '\0')
+        vector_fail(stage, column->field->name, "its text is too long");
     column->text[used] = '\0';
 }
 
@@ -95,7 +97,7 @@ static void set_column(vector_column *column, const vector_field *field, unsigne
     else
         snprintf(column->name, VECTOR_NAME, "%s%u", field->name, index);
     read_format(column, stage);
-    set_text(column, index);
+    set_text(column, index, stage);
 }
 
 void vector_columns(vector_column *columns, const vector_stage *stage)

@@ -8,34 +8,33 @@
 
 /* The numbers on the way, of the names in SPEC.md; i is the place in a table. */
 typedef struct power_steps {
-    number w, g, i, B, t, s, r, power;
+    number w, g, i, B, t;
 } power_steps;
 
 number transmittance_steps(number x, power_steps *on_the_way);
 number transmittance(number x); /* T(x) */
 
 typedef struct power16_steps {
-    number w, g, B, t, r, p, q;
+    number w, g, B, t;
 } power16_steps;
 
 number transmittance16_steps(number x, power16_steps *on_the_way);
 number transmittance16(number x); /* T16(x) */
 
 typedef struct depth_steps {
-    number w, n, i, e, p, r;
+    number w, n, i, e, p;
 } depth_steps;
 
-number depth_of_steps(number t, depth_steps *on_the_way);
-number depth_of(number t); /* D(t) */
+number depth_of_steps(number t, depth_steps *on_the_way); /* all 0 for t = 0 */
+number depth_of(number t);                                /* D(t) */
+number depth_of_opacity(number a);                        /* D(65537 (65535 - a)) */
 number ext16(number a);
+number recip_steps(number v, depth_steps *on_the_way);
 number recip(number v);
-
-typedef struct phi_steps {
-    number o, y, i, b, c, s, v;
-} phi_steps;
-
-number phi_with_steps(number x, phi_steps *on_the_way);
 number phi(number x);
+
+/* unorm16 of 2^31 - T(d), as in sections 30 and 31. */
+number opacity_of_depth(number d);
 
 number scale(number x, number k);
 number correct(number a, number k);

@@ -31,7 +31,7 @@ static number greatest_magnitude(const triple *v)
     return most(magnitude(v->v[0]), most(magnitude(v->v[1]), magnitude(v->v[2])));
 }
 
-/* Section 8: the direction v, normalised; its greatest magnitude is at least 2^16. */
+/* Section 8: the direction v, normalised. */
 static triple unit_vector(const triple *v, ray_steps *step)
 {
     const unsigned bits = bits_of(greatest_magnitude(v));
@@ -56,9 +56,9 @@ static ray perspective_ray(const camera *c, number x, number y, number phase, ra
 {
     ray r = {no_numbers(), no_numbers(), whole(0), false};
     step->v = plane_point(&c->along, c, x, y);
+    const triple unit = unit_vector(&step->v, step);
     if (is_less(greatest_magnitude(&step->v), power2(16)))
         return r;
-    const triple unit = unit_vector(&step->v, step);
     for (int a = 0; a < 3; a++)
         r.advance.v[a] = q30(c->pace.v[a], unit.v[a]);
     r.place = phased(&c->origin, &r.advance, phase);

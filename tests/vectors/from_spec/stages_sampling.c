@@ -1,36 +1,18 @@
-/* Stages of sections 3 to 13: from a place to a sample. */
+/* Stages of sections 12, 13, 40 and 41: samples. */
 #include "stages.h"
 
+#include "lengths.h"
 #include "ray.h"
 #include "sample.h"
 
-void stage_cell(csv *c)
-{
-    const triple size = in_triple(c, "n"), stride = in_triple(c, "stride");
-    const ray r = {.place = in_triple(c, "place"), .advance = in_triple(c, "advance")};
-    const triple point = sample_point(&r, in(c, "k"));
-    const cell of = cell_of_point(&point, &size);
-    out_triple(c, "point", &point);
-    out_triple(c, "f", &of.f);
-    for (unsigned q = 0; q < 8; q++) {
-        const triple index = {
-            {corner_index(&of, q, 0), corner_index(&of, q, 1), corner_index(&of, q, 2)}};
-        out(c, address(&index, &stride), "address%u", q);
-    }
-}
-
-void stage_weights(csv *c)
-{
-    const triple f = in_triple(c, "f");
-    const weights w = weights_of(&f);
-    out(c, w.xy, "xy");
-    out(c, w.xz, "xz");
-    out(c, w.yz, "yz");
-    out(c, w.xyz, "xyz");
-    out_all(c, "w", w.w, 8);
-}
-
 static const char *const colours[3] = {"r", "g", "b"};
+
+static void in_entries(csv *c, entries *e)
+{
+    for (int channel = 0; channel < 3; channel++)
+        in_all(c, colours[channel], e->K[channel], e->count);
+    in_all(c, "a", e->A, e->count);
+}
 
 /* The eight entries and the weights of a sample. */
 static weights in_corners(csv *c, entries *e, unsigned bits)
@@ -39,9 +21,7 @@ static weights in_corners(csv *c, entries *e, unsigned bits)
     const weights w = weights_of(&f);
     e->bits = bits;
     e->count = 8;
-    for (int channel = 0; channel < 3; channel++)
-        in_all(c, colours[channel], e->K[channel], 8);
-    in_all(c, "a", e->A, 8);
+    in_entries(c, e);
     out_all(c, "w", w.w, 8);
     return w;
 }
@@ -97,4 +77,76 @@ void stage_separate8(csv *c)
 void stage_separate16(csv *c)
 {
     separate_stage(c, 16);
+}
+
+void stage_nearest(csv *c)
+{
+    entries e = {.bits = sign_of(in(c, "wide")) != 0 ? 16 : 8, .count = 8};
+    const triple f = in_triple(c, "f"), none = {{whole(0), whole(0), whole(0)}};
+    const unsigned q = nearest_corner(&f);
+    in_entries(c, &e);
+    const sample s = nearest(&e, q);
+    out(c, whole(q), "corner");
+    out(c, whole(s.is_skipped), "skipped");
+    out(c, s.is_skipped ? whole(0) : s.O, "o");
+    out_triple(c, "l", s.is_skipped ? &none : &s.L);
+}
+
+void stage_bspline(csv *c)
+{
+    number w[27];
+    spline_parts part;
+    const triple f = in_triple(c, "f");
+    spline_weights(w, &f, &part);
+    out_triple(c, "z", &part.z);
+    for (unsigned v2 = 0; v2 < 3; v2++)
+        for (unsigned v1 = 0; v1 < 3; v1++)
+            out(c, part.y[v2].v[v1], "y%u", v1 + 3 * v2);
+    out_all(c, "w", w, 27);
+}
+
+/* A sample that has s besides; where it is skipped all is 0. */
+static void out_level_sample(csv *c, const sample *s, number shift)
+{
+    const triple none = {{whole(0), whole(0), whole(0)}};
+    out(c, whole(s->is_skipped), "skipped");
+    out(c, s->is_skipped ? whole(0) : shift, "s");
+    out(c, s->is_skipped ? whole(0) : s->O, "o");
+    out_triple(c, "l", s->is_skipped ? &none : &s->L);
+}
+
+void stage_bspline_sample(csv *c)
+{
+    number w[27];
+    spline_parts unused;
+    weighted_steps of_weighted;
+    converted_steps of_converted = {.s = whole(0)};
+    const long kind = small(in(c, "kind"));
+    entries e = {.bits = kind % 2 == 0 ? 8 : 16, .count = 27};
+    const triple f = in_triple(c, "f");
+    in_entries(c, &e);
+    spline_weights(w, &f, &unused);
+    const sample s = kind < 2 ? weighted(&e, w, &of_weighted) : converted(&e, w, &of_converted);
+    out_level_sample(c, &s, of_converted.s);
+}
+
+static void converted_stage(csv *c, unsigned bits)
+{
+    entries e;
+    converted_steps step;
+    const weights w = in_corners(c, &e, bits);
+    const sample s = converted(&e, w.w, &step);
+    out_all(c, "e", step.e, 8);
+    out_all(c, "h", step.h, 8);
+    out_level_sample(c, &s, step.s);
+}
+
+void stage_converted8(csv *c)
+{
+    converted_stage(c, 8);
+}
+
+void stage_converted16(csv *c)
+{
+    converted_stage(c, 16);
 }

@@ -1,9 +1,6 @@
 #include "tables.h"
 
 #include <mpfr.h>
-#include <stdio.h>
-
-#include "number.h"
 
 /* Far more bits than 32 and those of any cancellation below: no rounding is in doubt. */
 enum { BITS = 256 };
@@ -118,7 +115,7 @@ static number make_extinction(unsigned a)
     return result;
 }
 
-/* Section 29.1: x(t) of piece i, whose way t leads back from its end. */
+/* Section 29: x(t) of piece i, whose way t leads back from its end. */
 static void piece_depth(mpfr_t x, unsigned i, const mpfr_t t)
 {
     const unsigned o = i / 8, j = i % 8;
@@ -128,7 +125,7 @@ static void piece_depth(mpfr_t x, unsigned i, const mpfr_t t)
     mpfr_mul_2ui(x, x, o == 0 ? 1 : o, MPFR_RNDN);
 }
 
-/* Section 29.1: g(t) = 2^o phi(x(t)), and 2^o / (x(t) ln 2) in the last octave. */
+/* Section 29: g(t) = 2^o phi(x(t)), and 2^o / (x(t) ln 2) in the last octave. */
 static void piece_value(mpfr_t g, unsigned i, const mpfr_t t)
 {
     mpfr_t x, y;
