@@ -11,7 +11,7 @@
 #include "fx_table.h"
 #include "fx_wide.h"
 
-/* ---- Transmittance -------------------------------------------------------------- */
+/* ---- Transmittance ---------------------------------------------------------- */
 
 typedef struct transmittance_row {
     uint64_t x, w, g, index, base, place, t, opacity;
@@ -68,18 +68,20 @@ static const vector_field transmittance_fields[] = {
     {"opacity", 1, 'o', "u32.31", "2147483648 - t"},
     {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_transmittance = {"transmittance",
-                                          "27",
-                                          "2^-x of an optical depth, wide",
-                                          "products of hi to nearest, all else cut but the last",
-                                          "0 from depth 32 on",
-                                          transmittance_fields,
-                                          VECTOR_COLUMNS(transmittance_row),
-                                          27,
-                                          500,
-                                          transmittance_edges,
-                                          transmittance_draw,
-                                          transmittance_compute};
+const vector_stage stage_transmittance = {
+    .name = "transmittance",
+    .section = "27",
+    .title = "2^-x of an optical depth, wide",
+    .rounding = "products of hi to nearest, all else cut but the last",
+    .saturation = "0 from depth 32 on",
+    .fields = transmittance_fields,
+    .columns = VECTOR_COLUMNS(transmittance_row),
+    .seed = 27,
+    .random_rows = 500,
+    .edges = transmittance_edges,
+    .draw = transmittance_draw,
+    .compute = transmittance_compute,
+};
 
 typedef struct transmittance16_row {
     uint64_t x, w, g, base, place, t16, opacity16;
@@ -133,15 +135,17 @@ static const vector_field transmittance16_fields[] = {
     {"opacity16", 1, 'o', "unorm16", "65535 - t16"},
     {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_transmittance16 = {"transmittance16",
-                                            "27",
-                                            "2^-x of an optical depth, 16 bits",
-                                            "cut, but the last to nearest, ties upwards",
-                                            "0 from depth 17 on",
-                                            transmittance16_fields,
-                                            VECTOR_COLUMNS(transmittance16_row),
-                                            2716,
-                                            500,
-                                            transmittance16_edges,
-                                            transmittance16_draw,
-                                            transmittance16_compute};
+const vector_stage stage_transmittance16 = {
+    .name = "transmittance16",
+    .section = "27",
+    .title = "2^-x of an optical depth, 16 bits",
+    .rounding = "cut, but the last to nearest, ties upwards",
+    .saturation = "0 from depth 17 on",
+    .fields = transmittance16_fields,
+    .columns = VECTOR_COLUMNS(transmittance16_row),
+    .seed = 2716,
+    .random_rows = 500,
+    .edges = transmittance16_edges,
+    .draw = transmittance16_draw,
+    .compute = transmittance16_compute,
+};

@@ -11,7 +11,7 @@
 #include "fx_wide.h"
 #include "qvol.h"
 
-/* ---- Depth ---------------------------------------------------------------------- */
+/* ---- Depth ------------------------------------------------------------------ */
 
 typedef struct depth_row {
     uint64_t t, w, n, index, gap, depth;
@@ -86,7 +86,7 @@ const vector_stage stage_depth = {
     .compute = depth_compute,
 };
 
-/* ---- Extinction of stored opacity ------------------------------------------------ */
+/* ---- Extinction of stored opacity ------------------------------------------- */
 
 typedef struct extinction_row {
     uint64_t a16, a8, ext16, ext8;
@@ -142,7 +142,7 @@ const vector_stage stage_extinction = {
     .compute = extinction_compute,
 };
 
-/* ---- Reciprocal ----------------------------------------------------------------- */
+/* ---- Reciprocal ------------------------------------------------------------- */
 
 typedef struct reciprocal_row {
     uint64_t v, w, n, index, gap, reciprocal;
@@ -204,7 +204,7 @@ const vector_stage stage_reciprocal = {
     .compute = reciprocal_compute,
 };
 
-/* ---- phi ------------------------------------------------------------------------ */
+/* ---- phi -------------------------------------------------------------------- */
 
 typedef struct phi_row {
     uint64_t x, phi;
@@ -258,7 +258,7 @@ const vector_stage stage_phi = {
     .compute = phi_compute,
 };
 
-/* ---- Correction ----------------------------------------------------------------- */
+/* ---- Correction ------------------------------------------------------------- */
 
 typedef struct correct_row {
     uint64_t a, ratio, depth, scaled, opacity, factor;
@@ -315,7 +315,7 @@ const vector_stage stage_correct = {
     .compute = correct_compute,
 };
 
-/* ---- Number of slices ------------------------------------------------------------ */
+/* ---- Number of slices ------------------------------------------------------- */
 
 typedef struct slices_row {
     uint64_t o32, slices, wanted, depth, thinner;
