@@ -12,6 +12,8 @@
 set -eu
 : "${BUILD:=build}" "${OPTIMISE:=-O2}"
 export BUILD OPTIMISE
+: "${EMULATOR_SECONDS:=900}" # an AVR takes long for B-splines
+export EMULATOR_SECONDS
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
