@@ -56,10 +56,11 @@ FX_INLINE void qv_part_one(fx_weight part[3], const qv_triple *triple)
     part[1] = fx_weight_sub(fx_weight_sub(fx_weight_of(FX_WEIGHT_ONE), part[0]), part[2]);
 }
 
-/* One of the nine rows of three voxels, y fastest: where voxels are at[i] of the x axis from. */
-FX_INLINE qv_address qv_row(unsigned row, const qv_triple triple[3], const qv_volume *volume)
+/* One of the nine rows of three voxels: where voxels are at[i] of the x axis from. */
+FX_INLINE qv_address qv_row(const qv_triple triple[3], unsigned j, unsigned k,
+                            const qv_volume *volume)
 {
-    return qv_at(qv_at(volume->voxels, triple[2].at[row / 3u]), triple[1].at[row % 3u]);
+    return qv_at(qv_at(volume->voxels, triple[2].at[k]), triple[1].at[j]);
 }
 
 FX_INLINE qv_address qv_row_entry(qv_address row, const qv_triple *x, unsigned i,
@@ -68,18 +69,24 @@ FX_INLINE qv_address qv_row_entry(qv_address row, const qv_triple *x, unsigned i
     return qv_entry(qv_at(row, x->at[i]), volume, storage);
 }
 
+/* The largest opacity of a row. */
+FX_INLINE uint32_t qv_row_most(qv_address row, const qv_triple *x, const qv_volume *volume,
+                               unsigned storage)
+{
+    uint32_t a = qv_opacity_bits(qv_row_entry(row, x, 0, volume, storage), storage);
+    uint32_t b = qv_opacity_bits(qv_row_entry(row, x, 1, volume, storage), storage);
+    uint32_t c = qv_opacity_bits(qv_row_entry(row, x, 2, volume, storage), storage);
+    return (a | b | c) == 0 ? 0 : qv_larger(qv_larger(a, b), c);
+}
+
 /* Whether one of the 27 voxels has opacity. Most samples that are not in the void find it in
    their first row. */
 FX_INLINE int qv_rows_any(const qv_triple triple[3], const qv_volume *volume, unsigned storage)
 {
-    for (unsigned number = 0; number < 9; number++) {
-        qv_address row = qv_row(number, triple, volume);
-        uint32_t any = qv_opacity_bits(qv_row_entry(row, &triple[0], 0, volume, storage), storage) |
-                       qv_opacity_bits(qv_row_entry(row, &triple[0], 1, volume, storage), storage) |
-                       qv_opacity_bits(qv_row_entry(row, &triple[0], 2, volume, storage), storage);
-        if (any != 0)
-            return 1;
-    }
+    for (unsigned k = 0; k < 3; k++)
+        for (unsigned j = 0; j < 3; j++)
+            if (qv_row_most(qv_row(triple, j, k, volume), &triple[0], volume, storage) != 0)
+                return 1;
     return 0;
 }
 
@@ -88,14 +95,10 @@ FX_INLINE uint32_t qv_rows_most(const qv_triple triple[3], const qv_volume *volu
                                 unsigned storage)
 {
     uint32_t most = 0;
-    for (unsigned number = 0; number < 9; number++) {
-        qv_address row = qv_row(number, triple, volume);
-        uint32_t a = qv_opacity_bits(qv_row_entry(row, &triple[0], 0, volume, storage), storage);
-        uint32_t b = qv_opacity_bits(qv_row_entry(row, &triple[0], 1, volume, storage), storage);
-        uint32_t c = qv_opacity_bits(qv_row_entry(row, &triple[0], 2, volume, storage), storage);
-        if ((a | b | c) != 0)
-            most = qv_larger(qv_larger(most, a), qv_larger(b, c));
-    }
+    for (unsigned k = 0; k < 3; k++)
+        for (unsigned j = 0; j < 3; j++)
+            most = qv_larger(
+                most, qv_row_most(qv_row(triple, j, k, volume), &triple[0], volume, storage));
     return most;
 }
 
@@ -108,7 +111,7 @@ FX_INLINE void qv_add_rows(qv_sample *sum, const qv_triple triple[3], const qv_v
     for (unsigned k = 0; k < 3; k++) {
         qv_part(row, slice[k], &triple[1]);
         for (unsigned j = 0; j < 3; j++) {
-            qv_address at = qv_row(3u * k + j, triple, volume);
+            qv_address at = qv_row(triple, j, k, volume);
             qv_part(voxel, row[j], &triple[0]);
             for (unsigned i = 0; i < 3; i++)
                 qv_add_voxel(sum, voxel[i], qv_row_entry(at, &triple[0], i, volume, storage),
