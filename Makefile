@@ -180,7 +180,7 @@ test-exhaustive: ## every input of every fixed-point function: an hour or so
 .PHONY: install
 COMMANDS := $(if $(filter host,$(TARGET)),$(QVOL) $(MPI_COMMAND))
 
-install: $(LIBRARY) $(COMMANDS) ## header, archive, pkg-config file and commands below PREFIX
+install: $(LIBRARY) $(COMMANDS) ## header, archive, pkg-config file, commands and their test vectors below PREFIX
 	install -d "$(DESTDIR)$(PREFIX)/include" "$(DESTDIR)$(PREFIX)/lib/pkgconfig"
 	install -m 644 core/qvol.h "$(DESTDIR)$(PREFIX)/include/qvol.h"
 	install -m 644 $(LIBRARY) "$(DESTDIR)$(PREFIX)/lib/libqvol.a"
@@ -191,6 +191,8 @@ install: $(LIBRARY) $(COMMANDS) ## header, archive, pkg-config file and commands
 ifeq ($(TARGET),host)
 	install -d "$(DESTDIR)$(PREFIX)/bin"
 	install -m 755 $(COMMANDS) "$(DESTDIR)$(PREFIX)/bin"
+	install -d "$(DESTDIR)$(PREFIX)/share/qvol/vectors"
+	install -m 644 tests/vectors/*.csv tests/vectors/*.tsv "$(DESTDIR)$(PREFIX)/share/qvol/vectors"
 endif
 
 # ---- Packages: port/README.md says how to take them home ------------------------------

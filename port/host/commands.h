@@ -14,5 +14,7 @@ int command_pyramid(const struct settings *settings);
 int command_freevoxel(const struct settings *settings);
 int command_splat(const struct settings *settings);
 int command_advise(const struct settings *settings);
+int command_vectors_check(const struct settings *settings);
+int command_vectors_show(const struct settings *settings);
 
 #endif

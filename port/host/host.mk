@@ -57,6 +57,10 @@ $(OUT)/port/%.o: port/%.c $(HOST_OPTIONS)
 	@echo "  CC  $<"
 	@$(CC) $(HOST_CFLAGS) -c $< -o $@
 
+# The one file that knows where things are installed.
+$(OUT)/port/host/vector_files.o: HOST_CPPFLAGS += -DQVOL_VECTORS='"$(PREFIX)/share/qvol/vectors"'
+$(OUT)/port/host/vector_files.o: $(call remember,$(OUT)/prefix,$(PREFIX))
+
 $(QVOL): $(HOST_OBJECTS) $(LIBRARY)
 	@echo "  LD  $@"
 	@$(CC) $(OPTIMISE) $(CFLAGS) $(LDFLAGS) -o $@ $(HOST_OBJECTS) $(LIBRARY) $(HOST_LIBS)

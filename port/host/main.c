@@ -131,42 +131,72 @@ static const struct command commands[] = {
     {"qvol advise", "--target NAME --error E [options]",
      "Tells the cheapest way for a device to be as exact as is wanted.", ADVISE_DETAILS,
      GROUP_ADVISE | GROUP_REPORT | GROUP_COMMON, 0, command_advise},
+    {"qvol vectors check", "STAGE FILE [options]",
+     "Compares results of your own with the test vectors of a stage.",
+     "FILE, - for standard input, is CSV: a line of names, of which one is id, then a row a line,\n"
+     "numbers decimal or, after 0x, hexadecimal. It may have any of the rows and columns of\n"
+     "STAGE.csv; the first field that differs is told. Exit status 0: all equal, 1: different.\n",
+     GROUP_VECTORS | GROUP_REPORT | GROUP_COMMON, 2, command_vectors_check},
+    {"qvol vectors show", "ID [options]", "Explains one test vector step by step.",
+     "ID is a row of a stage, as weights-00017. Formulas are those of tests/SPEC.md.\n",
+     GROUP_VECTORS, 1, command_vectors_show},
 };
 
 #define COMMANDS ((int)(sizeof commands / sizeof commands[0]))
 /* Past "qvol ". */
 #define NAME_OFFSET 5
 
-#define COMMAND_NAMES "render, info, compare, classify, pyramid, freevoxel, splat or advise"
+#define COMMAND_NAMES                                                                              \
+    "render, info, compare, classify, pyramid, freevoxel, splat, advise or vectors"
 
 static void print_overview(void)
 {
     printf("Usage: qvol COMMAND ...\nAn integer-only volume renderer.\n\n");
     for (int i = 0; i < COMMANDS; i++) {
-        printf("  %-10s %s\n", commands[i].name + NAME_OFFSET, commands[i].summary);
+        printf("  %-13s %s\n", commands[i].name + NAME_OFFSET, commands[i].summary);
     }
     printf("\nTransfer functions for --tf:\n");
     for (const struct preset *p = presets; p->name != NULL; p++) {
-        printf("  %-10s %s\n", p->name, p->summary);
+        printf("  %-13s %s\n", p->name, p->summary);
     }
     printf("\nqvol COMMAND --help tells the options. Exit status: 0, 1 (data) or 2 (usage).\n");
     finish_output();
 }
 
-static const struct command *find_command(const char *name)
+/* How many of the words name the command: one, or two that a blank parts in its name; 0 where they
+   name another. */
+static int words_of(const struct command *command, int count, char **words)
+{
+    const char *name = command->name + NAME_OFFSET, *second = strchr(name, ' ');
+    size_t length = second != NULL ? (size_t)(second - name) : strlen(name);
+    if (strncmp(words[0], name, length) != 0 || words[0][length] != '\0') {
+        return 0;
+    }
+    if (second == NULL) {
+        return 1;
+    }
+    return count > 1 && strcmp(words[1], second + 1) == 0 ? 2 : 0;
+}
+
+static const struct command *find_command(int *used, int count, char **words)
 {
     for (int i = 0; i < COMMANDS; i++) {
-        if (strcmp(commands[i].name + NAME_OFFSET, name) == 0) {
+        *used = words_of(&commands[i], count, words);
+        if (*used != 0) {
             return &commands[i];
         }
     }
-    usage_error(name, "unknown command, use " COMMAND_NAMES);
+    if (strcmp(words[0], "vectors") == 0) {
+        usage_error(words[0], "needs check or show behind it");
+    }
+    usage_error(words[0], "unknown command, use " COMMAND_NAMES);
 }
 
 int main(int argc, char **argv)
 {
     struct settings settings;
     const struct command *command;
+    int used;
     claim_standard_streams();
     if (argc < 2) {
         usage_error("command", "none given, use " COMMAND_NAMES);
@@ -177,8 +207,8 @@ int main(int argc, char **argv)
     if (strcmp(argv[1], "--version") == 0) {
         print_version();
     }
-    command = find_command(argv[1]);
+    command = find_command(&used, argc - 1, argv + 1);
     error_set_command(command->name);
-    options_read(&settings, command, argc - 1, argv + 1);
+    options_read(&settings, command, argc - used, argv + used);
     return command->run(&settings);
 }

@@ -287,6 +287,11 @@ static void set_threads(struct settings *settings, const char *option, const cha
     settings->threads = (unsigned)integer_between(option, value, 1, THREADS_MOST);
 }
 
+static void set_from(struct settings *settings, const char *option, const char *value)
+{
+    settings_keep_name(&settings->from, option, value);
+}
+
 static void set_output(struct settings *settings, const char *option, const char *value)
 {
     settings_keep_name(&settings->output, option, value);
@@ -442,6 +447,9 @@ const struct option_spec option_specs[] = {
     {"opacity", 0, "A", "that no slice has less of, above 0 (any)", set_opacity, GROUP_ADVISE},
     {"content", 0, "KIND", "of slices: any, or fog, which is constant (any)", set_content,
      GROUP_ADVISE},
+
+    {"from", 0, "FOLDER", "with the test vectors (those that are installed)", set_from,
+     GROUP_VECTORS},
 
     {"tolerance", 0, "LEVELS", "differences that count as equal (0)", set_tolerance, GROUP_COMPARE},
     {"gain", 0, "FACTOR", "of the difference picture (16)", set_gain, GROUP_COMPARE},

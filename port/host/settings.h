@@ -188,6 +188,7 @@ struct settings {
     uint64_t fit;       /* bytes; 0: not given */
     int dither_table;   /* enum table_kind */
     const char *name;   /* of the C array; null: from the output */
+    const char *from;   /* folder of test vectors; null: that of the installation */
     double tolerance;
     bool gain_given;
     double gain;
@@ -212,7 +213,8 @@ enum option_group {
     GROUP_FREEVOXEL = 16384,
     GROUP_SPLAT = 32768,
     GROUP_LIGHTING = 65536,
-    GROUP_ADVISE = 131072
+    GROUP_ADVISE = 131072,
+    GROUP_VECTORS = 262144
 };
 
 struct option_spec {

@@ -5,7 +5,7 @@ cd "$work" || exit 1
 "$PYTHON" "$TESTS/volumes.py" in_12x10x8_uint8.raw
 IN=in_12x10x8_uint8.raw
 
-for command in "" render info compare classify pyramid freevoxel splat advise; do
+for command in "" render info compare classify pyramid freevoxel splat advise "vectors check" "vectors show"; do
     # shellcheck disable=SC2086
     check "--help $command" sh -c "\"$QVOL\" $command --help | grep -q '^Usage: qvol'"
     # shellcheck disable=SC2086
@@ -18,7 +18,7 @@ sed -n 's/^ *{"\([a-z-]*\)", [^,]*, \("[^"]*"\|NULL\), "..*/\1/p' "$TESTS/../../
 check "options are found in the source" test "$(wc -l <options)" -gt 25
 missing=
 while read -r option; do
-    { "$QVOL" render --help; "$QVOL" classify --help; "$QVOL" compare --help; "$QVOL" pyramid --help; "$QVOL" freevoxel --help; "$QVOL" splat --help; "$QVOL" advise --help; } |
+    { "$QVOL" render --help; "$QVOL" classify --help; "$QVOL" compare --help; "$QVOL" pyramid --help; "$QVOL" freevoxel --help; "$QVOL" splat --help; "$QVOL" advise --help; "$QVOL" vectors show --help; } |
         grep -q -e "--$option" || missing="$missing $option"
 done <options
 check "every option is in the help:$missing" test -z "$missing"

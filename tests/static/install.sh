@@ -13,6 +13,9 @@ include/qvol.h
 lib/libqvol.a
 lib/pkgconfig/qvol.pc
 END
+for file in tests/vectors/*.csv tests/vectors/*.tsv; do
+    echo "share/qvol/vectors/$(basename "$file")"
+done | LC_ALL=C sort >>"$work/list"
 
 cat >"$work/program.c" <<'END'
 #include <qvol.h>
@@ -30,7 +33,7 @@ installs() { # installs VARIABLE=VALUE...
 }
 
 listed() {
-    (cd "$prefix" && find . -type f | sed 's|^\./||' | sort) | diff "$work/list" -
+    (cd "$prefix" && find . -type f | sed 's|^\./||' | LC_ALL=C sort) | diff "$work/list" -
 }
 
 compiles() {
@@ -52,8 +55,9 @@ staged() {
 
 export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
 check "make install" installs PREFIX="$prefix"
-check "header, archive, pkg-config file and commands, nothing else" listed
+check "header, archive, pkg-config file, commands and vectors, nothing else" listed
 check "a program compiles with what pkg-config tells" compiles
 check "program, command and pkg-config name one version" one_version
+check "the installed command finds the installed vectors" "$prefix/bin/qvol" vectors show weights-00000
 check "make install with DESTDIR" staged
 finish

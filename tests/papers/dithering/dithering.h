@@ -68,4 +68,7 @@ void histogram_figures(FILE *numbers, const char *folder);
 /* Tables 1 and 3. */
 void tables(const char *folder);
 
+/* Section 9, and what else has a value in double precision: FOLDER/table.md. */
+void techniques_of_section_9(const char *folder);
+
 #endif /* PAPERS_DITHERING_H */

@@ -1,4 +1,4 @@
-/* dithering FOLDER: writes FOLDER/numbers.txt, table1.txt and table3.txt, and curves and
+/* dithering FOLDER: writes FOLDER/numbers.txt, table1.txt, table3.txt and table.md, and curves and
    their index to FOLDER/data. */
 #include "dithering.h"
 
@@ -15,6 +15,7 @@ int main(int argc, char **argv)
     histogram_figures(numbers, folder);
     fog_figures(numbers, index, folder);
     tables(argv[1]);
+    techniques_of_section_9(argv[1]);
     paper_close(index);
     paper_close(numbers);
     return 0;

@@ -11,6 +11,7 @@ int main(int argc, char **argv)
     border_rays(table, folder);
     border_scenes(table, folder);
     torus(table, folder);
+    preweighted(table);
     paper_close(table);
     return 0;
 }

@@ -31,4 +31,7 @@ typedef struct comparison {
 comparison compare_modes(FILE *table, const char *folder, const char *name, const char *paper,
                          qv_scene *scene, uint16_t edge);
 
+/* Section 7: colours weighted in 8 bits. */
+void preweighted(FILE *table);
+
 #endif /* PAPERS_WITTENBRINK_H */

@@ -131,14 +131,16 @@ void part_modes(const char *folder)
 {
     table t;
     bool holds = true;
-    printf("### 2.11 RGBA8 by mode\n\n"
-           "Arithmetic: the library against double precision of the same bytes. Storage: double "
-           "precision of\n8 bits a channel against that of 16. Each pixel has a bound of its own, "
-           "summed along its ray as\n`tests/precision/pictures/bounds.c` says; the table has the "
-           "largest of any pixel, and the most that\none has reached of its own. Bounds let "
-           "every rounding go the same way; those of\nstorage are nearly reached by mist, whose "
-           "voxels do. Extinction of stored opacity has no bound short\nof full scale there: "
-           "between 254/255 and 1, depth rises from 8 to 64.\n\n");
+    printf(
+        "### 2.11 RGBA8 by mode\n\n"
+        "Arithmetic: the library against double precision of the same bytes. Storage: double "
+        "precision of\n8 bits a channel against that of 16. Each pixel has a bound of its own, "
+        "summed along its ray as\n`tests/precision/pictures/bounds.c` says; the table has the "
+        "largest of any pixel, and the most that\none has reached of its own. Roundings of a ray "
+        "go both ways, bounds let "
+        "all go the same way; those of\nstorage are nearly reached by mist, whose "
+        "voxels do. Extinction of stored opacity has no bound short\nof full scale there: "
+        "between 254/255 and 1, depth rises from 8 to 64.\n\n");
     table_begin(&t, folder, "pictures_modes",
                 "mode|bound|worst|reached, %|equal after packing, %|storage: bound|storage: "
                 "worst|storage: reached, %");

@@ -11,8 +11,10 @@ extern const vector_stage stage_product, stage_scale, stage_quotient, stage_sine
     stage_unorm;
 
 /* stages_ray.c */
-extern const vector_stage stage_ray_orthographic, stage_ray_perspective, stage_clip, stage_way,
-    stage_piece;
+extern const vector_stage stage_ray_orthographic, stage_ray_perspective;
+
+/* stages_box.c */
+extern const vector_stage stage_clip, stage_way, stage_piece;
 
 /* stages_cell.c */
 extern const vector_stage stage_cell;
@@ -42,20 +44,28 @@ extern const vector_stage stage_depth, stage_extinction, stage_reciprocal, stage
 extern const vector_stage stage_recode, stage_least_extinction, stage_mixture, stage_downsample,
     stage_associate;
 
+/* stages_medium.c */
+extern const vector_stage stage_medium;
+
 /* stages_length.c */
-extern const vector_stage stage_medium, stage_corrected, stage_extinction_under,
-    stage_extinction_over, stage_level_blend;
+extern const vector_stage stage_corrected, stage_extinction_under, stage_extinction_over,
+    stage_level_blend;
 
 /* stages_dither.c */
 extern const vector_stage stage_dither, stage_hits, stage_plateau, stage_alpha, stage_slice_dither;
 
 /* stages_blend.c */
-extern const vector_stage stage_light, stage_blend_plain, stage_blend_dithered, stage_blend24,
-    stage_blend_front, stage_residual, stage_replay;
+extern const vector_stage stage_light, stage_blend_plain, stage_blend_dithered, stage_blend24;
+
+/* stages_front.c */
+extern const vector_stage stage_blend_front, stage_residual, stage_replay;
+
+/* stages_freevoxel.c */
+extern const vector_stage stage_order, stage_attenuation;
 
 /* stages_splat.c */
-extern const vector_stage stage_order, stage_attenuation, stage_length, stage_scaled,
-    stage_footprint, stage_splat_added, stage_splat_over;
+extern const vector_stage stage_length, stage_scaled, stage_footprint, stage_splat_added,
+    stage_splat_over;
 
 /* stages_preweighted.c */
 extern const vector_stage stage_preweighted_under, stage_preweighted_over;

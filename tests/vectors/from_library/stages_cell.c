@@ -123,15 +123,17 @@ static const vector_field cell_fields[] = {
      "axes whose bit is set in [i], else i0"},
     {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_cell = {"cell",
-                                 "3, 10",
-                                 "the cell of a sample, addresses of its corners, place in it",
-                                 "the point to 1/256, ties upwards",
-                                 "indices at the faces of the volume",
-                                 cell_fields,
-                                 VECTOR_COLUMNS(cell_row),
-                                 10,
-                                 250,
-                                 cell_edges,
-                                 cell_draw,
-                                 cell_compute};
+const vector_stage stage_cell = {
+    .name = "cell",
+    .section = "3, 10",
+    .title = "the cell of a sample, addresses of its corners, place in it",
+    .rounding = "the point to 1/256, ties upwards",
+    .saturation = "indices at the faces of the volume",
+    .fields = cell_fields,
+    .columns = VECTOR_COLUMNS(cell_row),
+    .seed = 10,
+    .random_rows = 250,
+    .edges = cell_edges,
+    .draw = cell_draw,
+    .compute = cell_compute,
+};

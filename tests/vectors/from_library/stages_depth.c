@@ -11,7 +11,7 @@
 #include "fx_table.h"
 #include "fx_wide.h"
 
-/* ---- Transmittance -------------------------------------------------------------- */
+/* ---- Transmittance ---------------------------------------------------------- */
 
 typedef struct transmittance_row {
     uint64_t x, w, g, index, base, place, t, opacity;
@@ -61,22 +61,27 @@ static const vector_field transmittance_fields[] = {
     {"index", 1, 'm', "u6", "floor(g / 2^26)"},
     {"base", 1, 'm', "u32.31", "round(2^(31 + index / 64))"},
     {"place", 1, 'm', "u32.32", "64 g mod 2^32"},
-    {"t", 1, 'o', "u32.31", "T(x) of section 27"},
+    {"t", 1, 'o', "u32.31",
+     "0 where w >= 32, 2^(31-w) where g = 0, else floor((floor((base + floor(hi(base, r) / 64)) / "
+     "2^w) + 1) / 2), with r = hi(place, 0xB1721819 + hi(place, 0x00F5FD31 + floor(0xE494 * "
+     "floor(place / 65536) / 65536)))"},
     {"opacity", 1, 'o', "u32.31", "2147483648 - t"},
     {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_transmittance = {"transmittance",
-                                          "27",
-                                          "2^-x of an optical depth, wide",
-                                          "products of hi to nearest, all else cut but the last",
-                                          "0 from depth 32 on",
-                                          transmittance_fields,
-                                          VECTOR_COLUMNS(transmittance_row),
-                                          27,
-                                          500,
-                                          transmittance_edges,
-                                          transmittance_draw,
-                                          transmittance_compute};
+const vector_stage stage_transmittance = {
+    .name = "transmittance",
+    .section = "27",
+    .title = "2^-x of an optical depth, wide",
+    .rounding = "products of hi to nearest, all else cut but the last",
+    .saturation = "0 from depth 32 on",
+    .fields = transmittance_fields,
+    .columns = VECTOR_COLUMNS(transmittance_row),
+    .seed = 27,
+    .random_rows = 500,
+    .edges = transmittance_edges,
+    .draw = transmittance_draw,
+    .compute = transmittance_compute,
+};
 
 typedef struct transmittance16_row {
     uint64_t x, w, g, base, place, t16, opacity16;
@@ -122,19 +127,25 @@ static const vector_field transmittance16_fields[] = {
     {"g", 1, 'm', "u24.24", "(-x) mod 2^24"},
     {"base", 1, 'm', "u32.31", "exp_power[floor(g / 2^18)]"},
     {"place", 1, 'm', "u16.16", "floor(g / 4) mod 65536"},
-    {"t16", 1, 'o', "unorm16", "T16(x) of section 27"},
+    {"t16", 1, 'o', "unorm16",
+     "0 where w >= 17, else floor((floor(q / 2^(14+w)) + 1) / 2), with q = p - floor(p / 65536), p "
+     "= 2^31 where g = 0, else floor((base + floor(shift16(r, floor((base + 32768) / 65536)) / "
+     "64)) / 2), r = shift16(0xB171A5D5 + floor(0xF754 * place / 256), place) + 0x2C7B * (g mod "
+     "4)"},
     {"opacity16", 1, 'o', "unorm16", "65535 - t16"},
     {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_transmittance16 = {"transmittance16",
-                                            "27",
-                                            "2^-x of an optical depth, 16 bits",
-                                            "cut, but the last to nearest, ties upwards",
-                                            "0 from depth 17 on",
-                                            transmittance16_fields,
-                                            VECTOR_COLUMNS(transmittance16_row),
-                                            2716,
-                                            500,
-                                            transmittance16_edges,
-                                            transmittance16_draw,
-                                            transmittance16_compute};
+const vector_stage stage_transmittance16 = {
+    .name = "transmittance16",
+    .section = "27",
+    .title = "2^-x of an optical depth, 16 bits",
+    .rounding = "cut, but the last to nearest, ties upwards",
+    .saturation = "0 from depth 17 on",
+    .fields = transmittance16_fields,
+    .columns = VECTOR_COLUMNS(transmittance16_row),
+    .seed = 2716,
+    .random_rows = 500,
+    .edges = transmittance16_edges,
+    .draw = transmittance16_draw,
+    .compute = transmittance16_compute,
+};

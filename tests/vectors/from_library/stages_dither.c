@@ -7,7 +7,7 @@
 #include "fx_alpha.h"
 #include "fx_dither.h"
 
-/* ---- Dither values ----------------------------------------------------------------- */
+/* ---- Dither values ---------------------------------------------------------- */
 
 typedef struct dither_row {
     uint64_t n, u, x, y, frame, hash, golden, hashed, blocks, at;
@@ -78,7 +78,7 @@ const vector_stage stage_dither = {
     .compute = dither_compute,
 };
 
-/* ---- Hits of a period ---------------------------------------------------------------- */
+/* ---- Hits of a period ------------------------------------------------------- */
 
 typedef struct hits_row {
     uint64_t period, o, base, bump, n, u, hits, k, ordered, random;
@@ -159,7 +159,7 @@ const vector_stage stage_hits = {
     .compute = hits_compute,
 };
 
-/* ---- Plateaus and bumps ---------------------------------------------------------------- */
+/* ---- Plateaus and bumps ----------------------------------------------------- */
 
 typedef struct plateau_row {
     uint64_t bits, o, v, base, plateau, over, bump;
@@ -217,7 +217,7 @@ const vector_stage stage_plateau = {
     .compute = plateau_compute,
 };
 
-/* ---- Opacities for blends of 8 bits ------------------------------------------------------ */
+/* ---- Opacities for blends of 8 bits ----------------------------------------- */
 
 typedef struct alpha_row {
     uint64_t o, period, slope[2], cutoff, k, u, v, colour;
@@ -307,7 +307,7 @@ const vector_stage stage_alpha = {
     .compute = alpha_compute,
 };
 
-/* ---- Dither of a slice ------------------------------------------------------------------ */
+/* ---- Dither of a slice ------------------------------------------------------ */
 
 typedef struct slice_row {
     int64_t slice;

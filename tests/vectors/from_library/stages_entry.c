@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-/* ---- Conversion of the fourth channel -------------------------------------------- */
+/* ---- Conversion of the fourth channel --------------------------------------- */
 
 typedef struct recode_row {
     uint64_t kind, v, from, to, result16, result8;
@@ -106,7 +106,7 @@ const vector_stage stage_recode = {
     .compute = recode_compute,
 };
 
-/* ---- The extinction that holds opacities ------------------------------------------ */
+/* ---- The extinction that holds opacities ------------------------------------ */
 
 typedef struct least_row {
     uint64_t a[3], unit, opaque, extinction;
@@ -173,7 +173,7 @@ const vector_stage stage_least_extinction = {
     .compute = least_compute,
 };
 
-/* ---- Mixtures -------------------------------------------------------------------- */
+/* ---- Mixtures --------------------------------------------------------------- */
 
 typedef struct mixture_row {
     uint64_t p[3], extinction[3], r[3], g[3], b[3], full, x, y[3], rgbt[4];
@@ -265,7 +265,7 @@ const vector_stage stage_mixture = {
     .compute = mixture_compute,
 };
 
-/* ---- Downsampling ---------------------------------------------------------------- */
+/* ---- Downsampling ----------------------------------------------------------- */
 
 typedef struct downsample_row {
     uint64_t n[3], filter, converted, wide, channel[4][8], weight[8], rgba[4];
@@ -373,7 +373,7 @@ const vector_stage stage_downsample = {
     .compute = downsample_compute,
 };
 
-/* ---- Associated entries ----------------------------------------------------------- */
+/* ---- Associated entries ----------------------------------------------------- */
 
 typedef struct associate_row {
     uint64_t wide, rgba[4], associated[4];

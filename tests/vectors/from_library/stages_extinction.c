@@ -11,7 +11,7 @@
 #include "fx_wide.h"
 #include "qvol.h"
 
-/* ---- Depth ---------------------------------------------------------------------- */
+/* ---- Depth ------------------------------------------------------------------ */
 
 typedef struct depth_row {
     uint64_t t, w, n, index, gap, depth;
@@ -66,7 +66,9 @@ static const vector_field depth_fields[] = {
     {"n", 1, 'm', "u32.32", "t * 2^w"},
     {"index", 1, 'm', "u5", "floor(n / 2^26) - 32"},
     {"gap", 1, 'm', "u32.31", "2147483648 - floor(n * log_reciprocal[index] / 65536)"},
-    {"depth", 1, 'o', "u64.32", "D(t) of section 28"},
+    {"depth", 1, 'o', "u64.32",
+     "64 * 2^32 where t = 0, else w * 2^32 + 2 ((log_depth[index] + hi(64 gap, 0x05C5527A + hi(64 "
+     "gap, 0x001711A2 + floor(0x8117 * floor(64 gap / 65536) / 65536)))) mod 2^32)"},
     {NULL, 0, 0, NULL, NULL}};
 
 const vector_stage stage_depth = {
@@ -84,7 +86,7 @@ const vector_stage stage_depth = {
     .compute = depth_compute,
 };
 
-/* ---- Extinction of stored opacity ------------------------------------------------ */
+/* ---- Extinction of stored opacity ------------------------------------------- */
 
 typedef struct extinction_row {
     uint64_t a16, a8, ext16, ext8;
@@ -140,7 +142,7 @@ const vector_stage stage_extinction = {
     .compute = extinction_compute,
 };
 
-/* ---- Reciprocal ----------------------------------------------------------------- */
+/* ---- Reciprocal ------------------------------------------------------------- */
 
 typedef struct reciprocal_row {
     uint64_t v, w, n, index, gap, reciprocal;
@@ -182,7 +184,9 @@ static const vector_field reciprocal_fields[] = {
     {"n", 1, 'm', "u32.32", "min(2 v, 2^32 - 1) * 2^w"},
     {"index", 1, 'm', "u5", "floor(n / 2^26) - 32"},
     {"gap", 1, 'm', "u32.31", "2147483648 - floor(n * log_reciprocal[index] / 65536)"},
-    {"reciprocal", 1, 'o', "u32.27", "recip(v) of section 28"},
+    {"reciprocal", 1, 'o', "u32.27",
+     "floor(shift16(m, log_reciprocal[index]) / 2^(3-w)), with m = 2^31 + gap + floor(hi(2^31 + "
+     "gap, hi(64 gap, 64 gap)) / 1024)"},
     {NULL, 0, 0, NULL, NULL}};
 
 const vector_stage stage_reciprocal = {
@@ -200,7 +204,7 @@ const vector_stage stage_reciprocal = {
     .compute = reciprocal_compute,
 };
 
-/* ---- phi ------------------------------------------------------------------------ */
+/* ---- phi -------------------------------------------------------------------- */
 
 typedef struct phi_row {
     uint64_t x, phi;
@@ -254,7 +258,7 @@ const vector_stage stage_phi = {
     .compute = phi_compute,
 };
 
-/* ---- Correction ----------------------------------------------------------------- */
+/* ---- Correction ------------------------------------------------------------- */
 
 typedef struct correct_row {
     uint64_t a, ratio, depth, scaled, opacity, factor;
@@ -311,7 +315,7 @@ const vector_stage stage_correct = {
     .compute = correct_compute,
 };
 
-/* ---- Number of slices ------------------------------------------------------------ */
+/* ---- Number of slices ------------------------------------------------------- */
 
 typedef struct slices_row {
     uint64_t o32, slices, wanted, depth, thinner;

@@ -8,7 +8,7 @@
 #include "fx_unorm.h"
 #include "fx_wide.h"
 
-/* ---- Products ------------------------------------------------------------------- */
+/* ---- Products --------------------------------------------------------------- */
 
 typedef struct product_row {
     uint64_t a, b, high, shift16;
@@ -64,7 +64,7 @@ const vector_stage stage_product = {
     .compute = product_compute,
 };
 
-/* ---- Products of coordinates ---------------------------------------------------- */
+/* ---- Products of coordinates ------------------------------------------------ */
 
 typedef struct scale_row {
     int64_t v, factor, scaled;
@@ -81,8 +81,7 @@ static unsigned scale_compute(void *columns)
 static void scale_draw(void *columns, vector_random *random)
 {
     scale_row *row = columns;
-    int64_t magnitude = (int64_t)vector_any(random, 60);
-    row->v = vector_bits(random, 1) ? -magnitude : magnitude;
+    row->v = vector_signed(random, 60);
     row->factor = (int32_t)(uint32_t)vector_any(random, 32);
 }
 
@@ -118,7 +117,7 @@ const vector_stage stage_scale = {
     .compute = scale_compute,
 };
 
-/* ---- Quotients ------------------------------------------------------------------ */
+/* ---- Quotients -------------------------------------------------------------- */
 
 typedef struct quotient_row {
     uint64_t n, d, m, e, quotient, quotient16;
@@ -181,7 +180,7 @@ const vector_stage stage_quotient = {
     .compute = quotient_compute,
 };
 
-/* ---- Sine ----------------------------------------------------------------------- */
+/* ---- Sine ------------------------------------------------------------------- */
 
 typedef struct sine_row {
     uint64_t angle;
@@ -235,7 +234,7 @@ const vector_stage stage_sine = {
     .compute = sine_compute,
 };
 
-/* ---- Reciprocal square root ------------------------------------------------------ */
+/* ---- Reciprocal square root ------------------------------------------------- */
 
 typedef struct root_row {
     uint64_t n, r, x;
@@ -285,7 +284,7 @@ const vector_stage stage_root = {
     .compute = root_compute,
 };
 
-/* ---- unorm ---------------------------------------------------------------------- */
+/* ---- unorm ------------------------------------------------------------------ */
 
 typedef struct unorm_row {
     uint64_t a, p, narrow, wide, quotient;

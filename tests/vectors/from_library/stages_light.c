@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-/* ---- Compositing ---------------------------------------------------------------- */
+/* ---- Compositing ------------------------------------------------------------ */
 
 typedef struct composite_inputs {
     uint64_t wide, o, l[3], e[3], t;
@@ -183,18 +183,20 @@ static const vector_field under_fields[] = {
     {"ended", 1, 'o', "u1", "1 where tn <= 32768 threshold, else 0"},
     {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_under = {"under",
-                                  "13, 14, 15",
-                                  "a sample behind what a ray has gathered: front to back",
-                                  "products to nearest, ties upwards; a32 is cut",
-                                  "none",
-                                  under_fields,
-                                  VECTOR_COLUMNS(under_row),
-                                  14,
-                                  400,
-                                  under_edges,
-                                  under_draw,
-                                  under_compute};
+const vector_stage stage_under = {
+    .name = "under",
+    .section = "13, 14, 15",
+    .title = "a sample behind what a ray has gathered: front to back",
+    .rounding = "products to nearest, ties upwards; a32 is cut",
+    .saturation = "none",
+    .fields = under_fields,
+    .columns = VECTOR_COLUMNS(under_row),
+    .seed = 14,
+    .random_rows = 400,
+    .edges = under_edges,
+    .draw = under_draw,
+    .compute = under_compute,
+};
 
 static const vector_field over_fields[] = {COMPOSITE_INPUTS,
                                            A32,
@@ -205,20 +207,22 @@ static const vector_field over_fields[] = {COMPOSITE_INPUTS,
                                            {"tn", 1, 'o', "u32.31", "t - lost"},
                                            {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_over = {"over",
-                                 "13, 14",
-                                 "a sample before what a ray has gathered: back to front",
-                                 "products and halves to nearest, ties upwards; a32 is cut",
-                                 "none",
-                                 over_fields,
-                                 VECTOR_COLUMNS(over_row),
-                                 1407,
-                                 400,
-                                 over_edges,
-                                 over_draw,
-                                 over_compute};
+const vector_stage stage_over = {
+    .name = "over",
+    .section = "13, 14",
+    .title = "a sample before what a ray has gathered: back to front",
+    .rounding = "products and halves to nearest, ties upwards; a32 is cut",
+    .saturation = "none",
+    .fields = over_fields,
+    .columns = VECTOR_COLUMNS(over_row),
+    .seed = 1407,
+    .random_rows = 400,
+    .edges = over_edges,
+    .draw = over_draw,
+    .compute = over_compute,
+};
 
-/* ---- Read-out ------------------------------------------------------------------- */
+/* ---- Read-out --------------------------------------------------------------- */
 
 typedef struct readout_row {
     uint64_t kind, e[3], t, background[4], p[4], g[4], channel[4];
@@ -352,20 +356,22 @@ static const vector_field readout_fields[] = {
     {"channel3", 1, 'o', "u32.16", "16711680 - hi(t, 33423360) + hi(t, g3)"},
     {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_readout = {"readout",
-                                    "16",
-                                    "light and background to a pixel's channels",
-                                    "products to nearest, ties upwards",
-                                    "colours at the opacity channel3",
-                                    readout_fields,
-                                    VECTOR_COLUMNS(readout_row),
-                                    16,
-                                    300,
-                                    readout_edges,
-                                    readout_draw,
-                                    readout_compute};
+const vector_stage stage_readout = {
+    .name = "readout",
+    .section = "16",
+    .title = "light and background to a pixel's channels",
+    .rounding = "products to nearest, ties upwards",
+    .saturation = "colours at the opacity channel3",
+    .fields = readout_fields,
+    .columns = VECTOR_COLUMNS(readout_row),
+    .seed = 16,
+    .random_rows = 300,
+    .edges = readout_edges,
+    .draw = readout_draw,
+    .compute = readout_compute,
+};
 
-/* ---- Pixel formats -------------------------------------------------------------- */
+/* ---- Pixel formats ---------------------------------------------------------- */
 
 typedef struct pixel_row {
     uint64_t channel[4];
@@ -462,15 +468,17 @@ static const vector_field pixel_fields[] = {
     {"mono", 1, 'o', "u1", "floor((grey + 130560 (2 threshold + 1)) / 16711680)"},
     {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_pixel = {"pixel",
-                                  "17",
-                                  "a pixel's channels to the formats of displays",
-                                  "8 bits to nearest, ties upwards; narrower ones dithered",
-                                  "none",
-                                  pixel_fields,
-                                  VECTOR_COLUMNS(pixel_row),
-                                  17,
-                                  300,
-                                  pixel_edges,
-                                  pixel_draw,
-                                  pixel_compute};
+const vector_stage stage_pixel = {
+    .name = "pixel",
+    .section = "17",
+    .title = "a pixel's channels to the formats of displays",
+    .rounding = "8 bits to nearest, ties upwards; narrower ones dithered",
+    .saturation = "none",
+    .fields = pixel_fields,
+    .columns = VECTOR_COLUMNS(pixel_row),
+    .seed = 17,
+    .random_rows = 300,
+    .edges = pixel_edges,
+    .draw = pixel_draw,
+    .compute = pixel_compute,
+};

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-/* ---- Nearest --------------------------------------------------------------------- */
+/* ---- Nearest ---------------------------------------------------------------- */
 
 typedef struct nearest_row {
     uint64_t f[3], wide, channel[4][8], corner, skipped, o, l[3];
@@ -86,7 +86,7 @@ const vector_stage stage_nearest = {
     .compute = nearest_compute,
 };
 
-/* ---- Extinction of stored opacity --------------------------------------------------- */
+/* ---- Extinction of stored opacity ------------------------------------------- */
 
 typedef struct converted_row {
     uint64_t f[3], channel[4][8], w[8], e[8], h[8], skipped, s, o, l[3];
@@ -209,7 +209,7 @@ const vector_stage stage_converted16 = {
     .compute = converted16_compute,
 };
 
-/* ---- Weights of a B-spline ---------------------------------------------------------- */
+/* ---- Weights of a B-spline -------------------------------------------------- */
 
 typedef struct bspline_row {
     uint64_t f[3], z[3], y[9], w[27];
@@ -278,7 +278,7 @@ const vector_stage stage_bspline = {
     .compute = bspline_compute,
 };
 
-/* ---- B-spline samples ---------------------------------------------------------------- */
+/* ---- B-spline samples ------------------------------------------------------- */
 
 typedef struct bspline_sample_row {
     uint64_t f[3], kind, channel[4][27], skipped, s, o, l[3];

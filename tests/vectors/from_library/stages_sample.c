@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* ---- Weights -------------------------------------------------------------------- */
+/* ---- Weights ---------------------------------------------------------------- */
 
 typedef struct weights_row {
     uint64_t f[3], xy, xz, yz, xyz, w[8];
@@ -57,18 +57,20 @@ static const vector_field weights_fields[] = {
     {"w7", 1, 'o', "u17.16", "xyz"},
     {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_weights = {"weights",
-                                    "11",
-                                    "the eight weights of trilinear interpolation",
-                                    "xyz to nearest, ties upwards; the rest is exact",
-                                    "none; the weights sum to 65536",
-                                    weights_fields,
-                                    VECTOR_COLUMNS(weights_row),
-                                    11,
-                                    300,
-                                    weights_edges,
-                                    weights_draw,
-                                    weights_compute};
+const vector_stage stage_weights = {
+    .name = "weights",
+    .section = "11",
+    .title = "the eight weights of trilinear interpolation",
+    .rounding = "xyz to nearest, ties upwards; the rest is exact",
+    .saturation = "none; the weights sum to 65536",
+    .fields = weights_fields,
+    .columns = VECTOR_COLUMNS(weights_row),
+    .seed = 11,
+    .random_rows = 300,
+    .edges = weights_edges,
+    .draw = weights_draw,
+    .compute = weights_compute,
+};
 
 #define SUM_OF(name)                                                                               \
     name "0 + " name "1 + " name "2 + " name "3 + " name "4 + " name "5 + " name "6 + " name "7"
@@ -86,7 +88,7 @@ const vector_stage stage_weights = {"weights",
         "a32", 1, 'o', "u32.32", "o + floor(o / 65536)"                                            \
     }
 
-/* ---- Weighted ------------------------------------------------------------------- */
+/* ---- Weighted --------------------------------------------------------------- */
 
 typedef struct weighted_row {
     uint64_t f[3], channel[4][8], w[8], s[8], term[3][8], skipped, o, l[3], a32;
@@ -190,18 +192,20 @@ static const vector_field sample8_fields[] = {FRACTIONS,
                                               A32_OF_8,
                                               {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_sample8 = {"sample8",
-                                    "12, 13",
-                                    "opacity-weighted sample of 8-bit storage",
-                                    "xyz to nearest, ties upwards; sums are exact; a32 is cut",
-                                    "none; o is at most 65536 * 255",
-                                    sample8_fields,
-                                    VECTOR_COLUMNS(weighted_row),
-                                    12,
-                                    200,
-                                    sample8_edges,
-                                    sample8_draw,
-                                    sample8_compute};
+const vector_stage stage_sample8 = {
+    .name = "sample8",
+    .section = "12, 13",
+    .title = "opacity-weighted sample of 8-bit storage",
+    .rounding = "xyz to nearest, ties upwards; sums are exact; a32 is cut",
+    .saturation = "none; o is at most 65536 * 255",
+    .fields = sample8_fields,
+    .columns = VECTOR_COLUMNS(weighted_row),
+    .seed = 12,
+    .random_rows = 200,
+    .edges = sample8_edges,
+    .draw = sample8_draw,
+    .compute = sample8_compute,
+};
 
 static const vector_field sample16_fields[] = {FRACTIONS,
                                                ENTRIES("unorm16"),
@@ -214,20 +218,22 @@ static const vector_field sample16_fields[] = {FRACTIONS,
                                                A32_OF_16,
                                                {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_sample16 = {"sample16",
-                                     "12, 13",
-                                     "opacity-weighted sample of 16-bit storage",
-                                     "xyz to nearest, ties upwards; each term and a32 are cut",
-                                     "none; o is at most 65536 * 65535",
-                                     sample16_fields,
-                                     VECTOR_COLUMNS(weighted_row),
-                                     1216,
-                                     200,
-                                     sample16_edges,
-                                     sample16_draw,
-                                     sample16_compute};
+const vector_stage stage_sample16 = {
+    .name = "sample16",
+    .section = "12, 13",
+    .title = "opacity-weighted sample of 16-bit storage",
+    .rounding = "xyz to nearest, ties upwards; each term and a32 are cut",
+    .saturation = "none; o is at most 65536 * 65535",
+    .fields = sample16_fields,
+    .columns = VECTOR_COLUMNS(weighted_row),
+    .seed = 1216,
+    .random_rows = 200,
+    .edges = sample16_edges,
+    .draw = sample16_draw,
+    .compute = sample16_compute,
+};
 
-/* ---- Separate ------------------------------------------------------------------- */
+/* ---- Separate --------------------------------------------------------------- */
 
 typedef struct separate_row {
     uint64_t f[3], channel[4][8], w[8], d[3], skipped, o, l[3], a32;
@@ -299,32 +305,36 @@ static const vector_field separate8_fields[] = {
     FRACTIONS, ENTRIES("unorm8"),       SEPARATE_SUMS, {"l", 3, 'o', "u32", "hi(256 d[i], 256 o)"},
     A32_OF_8,  {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_separate8 = {"separate8",
-                                      "12, 13",
-                                      "colour and opacity of 8-bit storage interpolated apart",
-                                      "xyz and l to nearest, ties upwards; a32 is cut",
-                                      "none",
-                                      separate8_fields,
-                                      VECTOR_COLUMNS(separate_row),
-                                      1208,
-                                      120,
-                                      separate8_edges,
-                                      separate8_draw,
-                                      separate8_compute};
+const vector_stage stage_separate8 = {
+    .name = "separate8",
+    .section = "12, 13",
+    .title = "colour and opacity of 8-bit storage interpolated apart",
+    .rounding = "xyz and l to nearest, ties upwards; a32 is cut",
+    .saturation = "none",
+    .fields = separate8_fields,
+    .columns = VECTOR_COLUMNS(separate_row),
+    .seed = 1208,
+    .random_rows = 120,
+    .edges = separate8_edges,
+    .draw = separate8_draw,
+    .compute = separate8_compute,
+};
 
 static const vector_field separate16_fields[] = {FRACTIONS,     ENTRIES("unorm16"),
                                                  SEPARATE_SUMS, {"l", 3, 'o', "u32", "hi(d[i], o)"},
                                                  A32_OF_16,     {NULL, 0, 0, NULL, NULL}};
 
-const vector_stage stage_separate16 = {"separate16",
-                                       "12, 13",
-                                       "colour and opacity of 16-bit storage interpolated apart",
-                                       "xyz and l to nearest, ties upwards; a32 is cut",
-                                       "none",
-                                       separate16_fields,
-                                       VECTOR_COLUMNS(separate_row),
-                                       1217,
-                                       120,
-                                       separate16_edges,
-                                       separate16_draw,
-                                       separate16_compute};
+const vector_stage stage_separate16 = {
+    .name = "separate16",
+    .section = "12, 13",
+    .title = "colour and opacity of 16-bit storage interpolated apart",
+    .rounding = "xyz and l to nearest, ties upwards; a32 is cut",
+    .saturation = "none",
+    .fields = separate16_fields,
+    .columns = VECTOR_COLUMNS(separate_row),
+    .seed = 1217,
+    .random_rows = 120,
+    .edges = separate16_edges,
+    .draw = separate16_draw,
+    .compute = separate16_compute,
+};

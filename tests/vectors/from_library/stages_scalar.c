@@ -7,7 +7,7 @@
 #include "shade.h"
 #include "unit_vector.h"
 
-/* ---- Transfer table ------------------------------------------------------------- */
+/* ---- Transfer table --------------------------------------------------------- */
 
 typedef struct transfer_row {
     uint64_t first, last, from, to, entry, value16, value8;
@@ -81,7 +81,7 @@ const vector_stage stage_transfer = {
     .compute = transfer_compute,
 };
 
-/* ---- Index ---------------------------------------------------------------------- */
+/* ---- Index ------------------------------------------------------------------ */
 
 typedef struct index_row {
     int64_t s, low, high;
@@ -161,7 +161,7 @@ const vector_stage stage_index = {
     .compute = index_compute,
 };
 
-/* ---- Gradient and normal --------------------------------------------------------- */
+/* ---- Gradient and normal ---------------------------------------------------- */
 
 typedef struct gradient_row {
     int64_t d[3];
@@ -197,8 +197,7 @@ static void gradient_draw(void *columns, vector_random *random)
 {
     gradient_row *row = columns;
     for (unsigned axis = 0; axis < 3; axis++) {
-        int64_t magnitude = (int64_t)vector_any(random, 16);
-        row->d[axis] = vector_bits(random, 1) ? -magnitude : magnitude;
+        row->d[axis] = vector_signed(random, 16);
         row->spacing[axis] = draw_spacing(random);
     }
     row->least = vector_bits(random, 2) ? vector_any(random, 8) : vector_any(random, 16);
@@ -258,7 +257,7 @@ const vector_stage stage_gradient = {
     .compute = gradient_compute,
 };
 
-/* ---- Shading -------------------------------------------------------------------- */
+/* ---- Shading ---------------------------------------------------------------- */
 
 typedef struct shade_row {
     int64_t d[3];
@@ -381,7 +380,7 @@ const vector_stage stage_shade = {
     .compute = shade_compute,
 };
 
-/* ---- Reduction ------------------------------------------------------------------ */
+/* ---- Reduction -------------------------------------------------------------- */
 
 typedef struct reduce_row {
     uint64_t n[3];

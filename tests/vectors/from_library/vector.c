@@ -17,7 +17,7 @@ void vector_fail(const char *stage, const char *what, const char *why)
     exit(1);
 }
 
-/* ---- Random numbers ------------------------------------------------------------- */
+/* ---- Random numbers --------------------------------------------------------- */
 
 static uint64_t next(vector_random *random)
 {
@@ -48,13 +48,19 @@ uint64_t vector_any(vector_random *random, unsigned bits)
     return kind < 5 ? vector_bits(random, width) : vector_bits(random, bits);
 }
 
+int64_t vector_signed(vector_random *random, unsigned bits)
+{
+    int64_t magnitude = (int64_t)vector_any(random, bits);
+    return vector_bits(random, 1) ? -magnitude : magnitude;
+}
+
 int64_t vector_between(vector_random *random, int64_t least, int64_t most)
 {
     uint64_t numbers = (uint64_t)most - (uint64_t)least + 1u;
     return least + (int64_t)(vector_bits(random, 63) % numbers);
 }
 
-/* ---- Columns -------------------------------------------------------------------- */
+/* ---- Columns ---------------------------------------------------------------- */
 
 /* uW, uW.F, sW, sW.F, unorm8, unorm16. */
 static void read_format(vector_column *column, const char *stage)
@@ -70,7 +76,7 @@ static void read_format(vector_column *column, const char *stage)
 }
 
 /* The text with the index in place of each [i]. */
-static void set_text(vector_column *column, unsigned index)
+static void set_text(vector_column *column, unsigned index, const char *stage)
 {
     const char *from = column->field->text;
     size_t used = 0;
@@ -82,6 +88,8 @@ static void set_text(vector_column *column, unsigned index)
             column->text[used++] = *from++;
         }
     }
+    if (*from != '\0')
+        vector_fail(stage, column->field->name, "its text is too long");
     column->text[used] = '\0';
 }
 
@@ -95,12 +103,15 @@ static void set_column(vector_column *column, const vector_field *field, unsigne
     else
         snprintf(column->name, VECTOR_NAME, "%s%u", field->name, index);
     read_format(column, stage);
-    set_text(column, index);
+    set_text(column, index, stage);
 }
 
-void vector_columns(vector_column *columns, const vector_stage *stage)
+vector_column *vector_columns(const vector_stage *stage)
 {
+    vector_column *columns = calloc(stage->columns, sizeof *columns);
     unsigned count = 0;
+    if (columns == NULL)
+        vector_fail(stage->name, "memory", "exhausted");
     for (const vector_field *field = stage->fields; field->name != NULL; field++)
         for (unsigned i = 0; i < field->count; i++) {
             if (count == stage->columns)
@@ -109,6 +120,7 @@ void vector_columns(vector_column *columns, const vector_stage *stage)
         }
     if (count != stage->columns)
         vector_fail(stage->name, "fields", "fewer than its structure has");
+    return columns;
 }
 
 unsigned vector_digits(const vector_column *column)
@@ -121,7 +133,7 @@ const char *vector_role(const vector_field *field)
     return field->role == 'i' ? "in" : field->role == 'm' ? "mid" : "out";
 }
 
-/* ---- Rows ----------------------------------------------------------------------- */
+/* ---- Rows ------------------------------------------------------------------- */
 
 /* Whether a value is one of its column's format. */
 static int fits(const vector_column *column, uint64_t value)
@@ -134,16 +146,11 @@ static int fits(const vector_column *column, uint64_t value)
 
 static void check_row(const vector_set *set, const uint64_t *row)
 {
-    vector_column *columns = calloc(set->stage->columns, sizeof *columns);
-    if (columns == NULL)
-        vector_fail(set->stage->name, "memory", "exhausted");
-    vector_columns(columns, set->stage);
     for (unsigned i = 0; i < set->stage->columns; i++)
-        if (!fits(&columns[i], row[i])) {
+        if (!fits(&set->described[i], row[i])) {
             fprintf(stderr, "row %u, %" PRIu64 "\n", set->count, row[i]);
-            vector_fail(set->stage->name, columns[i].name, "does not fit its width");
+            vector_fail(set->stage->name, set->described[i].name, "does not fit its width");
         }
-    free(columns);
 }
 
 static void make_room(vector_set *set)
@@ -183,6 +190,7 @@ void vector_set_make(vector_set *set, const vector_stage *stage, unsigned wanted
     vector_random random = {stage->seed};
     memset(set, 0, sizeof *set);
     set->stage = stage;
+    set->described = vector_columns(stage);
     if (stage->edges != NULL)
         stage->edges(set);
     for (unsigned i = 0; i < stage->random_rows; i++)
@@ -193,6 +201,7 @@ void vector_set_make(vector_set *set, const vector_stage *stage, unsigned wanted
 
 void vector_set_free(vector_set *set)
 {
+    free(set->described);
     free(set->columns);
     free(set->flags);
 }

@@ -46,6 +46,9 @@ uint64_t vector_bits(vector_random *random, unsigned bits);
    of 2 or full: where roundings and limits are. */
 uint64_t vector_any(vector_random *random, unsigned bits);
 
+/* The same as a magnitude, with either sign; bits below 64. */
+int64_t vector_signed(vector_random *random, unsigned bits);
+
 /* least .. most, at most 2^63 numbers. */
 int64_t vector_between(vector_random *random, int64_t least, int64_t most);
 
@@ -69,22 +72,7 @@ typedef struct vector_stage {
 /* All stages, up to a null pointer. */
 extern const vector_stage *const vector_stages[];
 
-struct vector_set {
-    const vector_stage *stage;
-    unsigned count;
-    unsigned room;
-    uint64_t *columns; /* of row after row */
-    uint8_t *flags;
-};
-
-/* Computes a row of these inputs and appends it. */
-void vector_add(vector_set *set, const void *inputs, unsigned flags);
-
-/* All rows of a stage: edges, random ones; then more random ones up to `wanted` rows. */
-void vector_set_make(vector_set *set, const vector_stage *stage, unsigned wanted);
-void vector_set_free(vector_set *set);
-
-/* ---- Columns, as fields part into them ------------------------------------------ */
+/* ---- Columns, as fields part into them -------------------------------------- */
 
 enum { VECTOR_NAME = 24, VECTOR_TEXT = 400 };
 
@@ -96,13 +84,30 @@ typedef struct vector_column {
     int is_signed;
 } vector_column;
 
-/* Fills columns[stage->columns]. A description that does not fit its structure ends the
-   program. */
-void vector_columns(vector_column *columns, const vector_stage *stage);
+/* Describes all columns of a stage, for free(). A description that does not fit its structure ends
+   the program. */
+vector_column *vector_columns(const vector_stage *stage);
 
 /* Hexadecimal digits of a column, and "in", "mid" or "out". */
 unsigned vector_digits(const vector_column *column);
 const char *vector_role(const vector_field *field);
+
+/* ---- Sets --------------------------------------------------------------------- */
+
+struct vector_set {
+    const vector_stage *stage;
+    vector_column *described; /* its columns */
+    unsigned count, room;     /* rows */
+    uint64_t *columns;        /* of row after row */
+    uint8_t *flags;           /* of rows */
+};
+
+/* Computes a row of these inputs and appends it. */
+void vector_add(vector_set *set, const void *inputs, unsigned flags);
+
+/* All rows of a stage: edges, random ones; then more random ones up to `wanted` rows. */
+void vector_set_make(vector_set *set, const vector_stage *stage, unsigned wanted);
+void vector_set_free(vector_set *set);
 
 /* Ends the program with a line on standard error. */
 void vector_fail(const char *stage, const char *what, const char *why) __attribute__((noreturn));

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Manifest ------------------------------------------------------------------- */
+/* ---- Manifest --------------------------------------------------------------- */
 
 /* Texts hold neither quotes nor backslashes; the test parses what comes of them. */
 void write_manifest_begin(FILE *to)
@@ -28,18 +28,15 @@ void write_manifest_end(FILE *to)
     fputs("\n  ]\n}\n", to);
 }
 
-static void write_field(FILE *to, const vector_field *field)
+/* A field, by its first column. */
+static void write_field(FILE *to, const vector_column *column)
 {
-    vector_column column;
-    const vector_field one[] = {{field->name, 1, field->role, field->format, ""},
-                                {NULL, 0, 0, NULL, NULL}};
-    const vector_stage stage = {.name = field->name, .fields = one, .columns = 1};
-    vector_columns(&column, &stage);
+    const vector_field *field = column->field;
     fprintf(to,
             "        {\"name\": \"%s\", \"columns\": %u, \"role\": \"%s\", \"width\": %u, "
             "\"signed\": %s, \"format\": \"%s\", \"text\": \"%s\"}",
-            field->name, field->count, vector_role(field), column.width,
-            column.is_signed ? "true" : "false", field->format, field->text);
+            field->name, field->count, vector_role(field), column->width,
+            column->is_signed ? "true" : "false", field->format, field->text);
 }
 
 /* How many rows have each flag. */
@@ -79,11 +76,11 @@ void write_manifest_stage(FILE *to, const vector_set *set, const char *folder, i
     fprintf(to, "      \"seed\": %" PRIu64 ",\n      \"count\": %u,\n", stage->seed, set->count);
     write_coverage(to, set);
     fputs("      \"fields\": [\n", to);
-    for (const vector_field *field = stage->fields; field->name != NULL; field++) {
-        write_field(to, field);
-        fputs(field[1].name != NULL ? ",\n" : "\n", to);
+    for (unsigned i = 0; i < stage->columns; i += set->described[i].field->count) {
+        fputs(i != 0 ? ",\n" : "", to);
+        write_field(to, &set->described[i]);
     }
-    fputs("      ],\n      \"files\": [\n", to);
+    fputs("\n      ],\n      \"files\": [\n", to);
     for (unsigned i = 0; i < 3; i++) {
         write_file(to, folder, stage->name, endings[i]);
         fputs(i < 2 ? ",\n" : "\n", to);
@@ -91,17 +88,14 @@ void write_manifest_stage(FILE *to, const vector_set *set, const char *folder, i
     fputs("      ]\n    }", to);
 }
 
-/* ---- Columns, for the command --------------------------------------------------- */
+/* ---- Columns, for the command ----------------------------------------------- */
 
 void write_fields(FILE *to)
 {
     fputs("stage\tsection\tcolumn\trole\tformat\ttext\n", to);
     for (unsigned i = 0; vector_stages[i] != NULL; i++) {
         const vector_stage *stage = vector_stages[i];
-        vector_column *columns = calloc(stage->columns, sizeof *columns);
-        if (columns == NULL)
-            vector_fail(stage->name, "memory", "exhausted");
-        vector_columns(columns, stage);
+        vector_column *columns = vector_columns(stage);
         for (unsigned c = 0; c < stage->columns; c++)
             fprintf(to, "%s\t%s\t%s\t%s\t%s\t%s\n", stage->name, stage->section, columns[c].name,
                     vector_role(columns[c].field), columns[c].field->format, columns[c].text);
@@ -109,7 +103,7 @@ void write_fields(FILE *to)
     }
 }
 
-/* ---- Tables --------------------------------------------------------------------- */
+/* ---- Tables ----------------------------------------------------------------- */
 
 static void write_stage_table(FILE *to, const vector_stage *stage)
 {

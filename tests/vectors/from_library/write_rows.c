@@ -7,24 +7,14 @@
 
 #include <ctype.h>
 #include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
-
-static vector_column *columns_of(const vector_stage *stage)
-{
-    vector_column *columns = calloc(stage->columns, sizeof *columns);
-    if (columns == NULL)
-        vector_fail(stage->name, "memory", "exhausted");
-    vector_columns(columns, stage);
-    return columns;
-}
 
 static const uint64_t *row_of(const vector_set *set, unsigned number)
 {
     return set->columns + (size_t)number * set->stage->columns;
 }
 
-/* ---- CSV ------------------------------------------------------------------------ */
+/* ---- CSV -------------------------------------------------------------------- */
 
 static void write_flags(FILE *to, unsigned flags)
 {
@@ -46,7 +36,7 @@ static void write_decimal(FILE *to, const vector_column *column, uint64_t value)
 
 void write_csv(FILE *to, const vector_set *set)
 {
-    vector_column *columns = columns_of(set->stage);
+    const vector_column *columns = set->described;
     fputs("id,flags", to);
     for (unsigned i = 0; i < set->stage->columns; i++)
         fprintf(to, ",%s", columns[i].name);
@@ -59,10 +49,9 @@ void write_csv(FILE *to, const vector_set *set)
         }
     }
     fputc('\n', to);
-    free(columns);
 }
 
-/* ---- $readmemh ------------------------------------------------------------------ */
+/* ---- $readmemh -------------------------------------------------------------- */
 
 static unsigned bits_of(const vector_column *columns, unsigned count)
 {
@@ -72,8 +61,9 @@ static unsigned bits_of(const vector_column *columns, unsigned count)
     return bits;
 }
 
-static void write_layout(FILE *to, const vector_set *set, const vector_column *columns)
+static void write_layout(FILE *to, const vector_set *set)
 {
+    const vector_column *columns = set->described;
     unsigned count = set->stage->columns, above = bits_of(columns, count);
     fprintf(to, "// schema %s, specification %d, library %s, seed %" PRIu64 "\n", VECTOR_SCHEMA,
             QV_SPECIFICATION, QV_VERSION, set->stage->seed);
@@ -96,8 +86,8 @@ static void write_digits(FILE *to, const vector_column *column, uint64_t value)
 
 void write_hex(FILE *to, const vector_set *set)
 {
-    vector_column *columns = columns_of(set->stage);
-    write_layout(to, set, columns);
+    const vector_column *columns = set->described;
+    write_layout(to, set);
     for (unsigned number = 0; number < set->count; number++) {
         for (unsigned i = 0; i < set->stage->columns; i++) {
             if (i != 0)
@@ -106,10 +96,9 @@ void write_hex(FILE *to, const vector_set *set)
         }
         fputc('\n', to);
     }
-    free(columns);
 }
 
-/* ---- C -------------------------------------------------------------------------- */
+/* ---- C ---------------------------------------------------------------------- */
 
 /* The least standard type of a column, as bits. */
 static unsigned type_bits(const vector_column *column)
@@ -120,8 +109,9 @@ static unsigned type_bits(const vector_column *column)
     return bits;
 }
 
-static void write_structure(FILE *to, const vector_set *set, const vector_column *columns)
+static void write_structure(FILE *to, const vector_set *set)
 {
+    const vector_column *columns = set->described;
     fprintf(to, "typedef struct qvol_%s_vector {\n", set->stage->name);
     for (unsigned i = 0; i < set->stage->columns; i += columns[i].field->count) {
         const vector_field *field = columns[i].field;
@@ -174,7 +164,7 @@ static void set_capitals(char to[VECTOR_NAME], const char *stage)
 
 void write_header(FILE *to, const vector_set *set)
 {
-    vector_column *columns = columns_of(set->stage);
+    const vector_column *columns = set->described;
     const char *name = set->stage->name;
     char capitals[VECTOR_NAME];
     fputs("/* SPDX-License-Identifier: MIT */\n", to);
@@ -184,10 +174,9 @@ void write_header(FILE *to, const vector_set *set)
     fputs("#include <stdint.h>\n\n/* clang-format off */\n", to);
     fprintf(to, "#define QVOL_%s_VECTORS %u /* specification %d */\n\n", capitals, set->count,
             QV_SPECIFICATION);
-    write_structure(to, set, columns);
+    write_structure(to, set);
     fprintf(to, "static const qvol_%s_vector qvol_%s_vectors[] = {\n", name, name);
     for (unsigned number = 0; number < set->count; number++)
         write_row(to, columns, set->stage->columns, row_of(set, number));
     fputs("};\n\n#endif\n", to);
-    free(columns);
 }

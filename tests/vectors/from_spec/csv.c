@@ -95,11 +95,6 @@ static int find(const csv *c, const char *name)
     return -1;
 }
 
-bool has_field(const csv *c, const char *name)
-{
-    return find(c, name) >= 0;
-}
-
 static unsigned find_format(const csv *c, const char *format, va_list arguments)
 {
     char name[NAME_BYTES];

@@ -38,6 +38,5 @@ void csv_close(csv *c); /* every field has a role */
 /* A field of the row. Its name is a format: in(c, "w%u", q). */
 number in(csv *c, const char *format, ...);
 void out(csv *c, number value, const char *format, ...);
-bool has_field(const csv *c, const char *name);
 
 #endif /* CSV_H */

@@ -16,13 +16,13 @@ number transmittance_steps(number x, power_steps *step)
     step->i = down(step->g, 26);
     step->B = exp_power(step->i);
     step->t = low_bits(mul(whole(64), step->g), 32);
-    step->s = add(whole(0x00F5FD31), down(mul(whole(0xE494), down(step->t, 16)), 16));
-    step->r = hi(step->t, add(whole(0xB1721819), hi(step->t, step->s)));
-    step->power = fits_unsigned(add(step->B, down(hi(step->B, step->r), 6)), 32);
+    number s = add(whole(0x00F5FD31), down(mul(whole(0xE494), down(step->t, 16)), 16));
+    number r = hi(step->t, add(whole(0xB1721819), hi(step->t, s)));
+    number power = fits_unsigned(add(step->B, down(hi(step->B, r), 6)), 32);
     if (!is_less(step->w, whole(32)))
         return whole(0);
     const unsigned w = (unsigned)small(step->w);
-    return sign_of(step->g) == 0 ? power2(31 - w) : halved(step->power, w);
+    return sign_of(step->g) == 0 ? power2(31 - w) : halved(power, w);
 }
 
 number transmittance(number x)
@@ -39,13 +39,13 @@ number transmittance16_steps(number x, power16_steps *step)
     step->t = low_bits(down(step->g, 2), 16);
     number slope = add(whole(0xB171A5D5), down(mul(whole(0xF754), step->t), 8));
     number rest = mul(whole(0x2C7B), low_bits(step->g, 2));
-    step->r = fits_unsigned(add(shift16(slope, step->t), rest), 32);
-    number rise = down(shift16(step->r, rounded(step->B, 16)), 6);
-    step->p = sign_of(step->g) == 0 ? power2(31) : down(add(step->B, rise), 1);
-    step->q = sub(step->p, down(step->p, 16));
+    number r = fits_unsigned(add(shift16(slope, step->t), rest), 32);
+    number rise = down(shift16(r, rounded(step->B, 16)), 6);
+    number p = sign_of(step->g) == 0 ? power2(31) : down(add(step->B, rise), 1);
+    number q = sub(p, down(p, 16));
     if (!is_less(x, up(whole(17), 24)))
         return whole(0);
-    return halved(step->q, 14 + (unsigned)small(step->w));
+    return halved(q, 14 + (unsigned)small(step->w));
 }
 
 number transmittance16(number x)
@@ -54,7 +54,7 @@ number transmittance16(number x)
     return transmittance16_steps(x, &unused);
 }
 
-/* n, i, e and p of sections 28: t, doubled w times until its highest bit is set. */
+/* n, i, e and p of section 28: t, doubled w times until its highest bit is set. */
 static depth_steps normalised(number t)
 {
     const unsigned w = least_shift(t, 1, power2(31));

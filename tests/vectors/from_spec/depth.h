@@ -8,14 +8,14 @@
 
 /* The numbers on the way, of the names in SPEC.md; i is the place in a table. */
 typedef struct power_steps {
-    number w, g, i, B, t, s, r, power;
+    number w, g, i, B, t;
 } power_steps;
 
 number transmittance_steps(number x, power_steps *on_the_way);
 number transmittance(number x); /* T(x) */
 
 typedef struct power16_steps {
-    number w, g, B, t, r, p, q;
+    number w, g, B, t;
 } power16_steps;
 
 number transmittance16_steps(number x, power16_steps *on_the_way);

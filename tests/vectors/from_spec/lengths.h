@@ -9,26 +9,26 @@
 #include "ray.h"
 #include "sample.h"
 
-number cut(number n, number d); /* section 37 */
-
-/* A way through the box, in positions. */
+/* Section 37: a way through the box, in positions; first is where it may begin. */
 typedef struct way {
     number enter, leave;
     bool is_there;
 } way;
 
 way way_through(const ray *r, const triple *size, number first);
+
+/* A piece of a way: its length l, its middle t and the point P there. */
 typedef struct piece {
-    number begin, end, l, t;
+    number end, l, t;
     triple P;
 } piece;
 
-/* The piece of sections 38 and 44 that begins there, on a level; 0 is that of section 38. */
+/* Sections 38 and 44: the piece that begins there on a level, which is 0 in section 38. */
 piece piece_from(const ray *r, number begin, number leave, unsigned level);
 
-/* Section 39, of a step, and of a piece. */
+/* Section 39: what a step means, or a piece of its length. */
 typedef struct medium {
-    number k, g, depth, light, b;
+    number depth, light, b;
 } medium;
 
 enum medium_kind { MEDIUM_CORRECTED, MEDIUM_EXTINCTION8, MEDIUM_EXTINCTION16, MEDIUM_OPACITY };
@@ -53,15 +53,14 @@ void spline_weights(number w[], const triple *f, spline_parts *step);
 
 /* Section 41. */
 typedef struct converted_steps {
-    number x[ENTRIES_MAX], e[ENTRIES_MAX], h[ENTRIES_MAX], term[3][ENTRIES_MAX];
-    number s;
+    number e[ENTRIES_MAX], h[ENTRIES_MAX], s;
 } converted_steps;
 
 sample converted(const entries *of, const number w[], converted_steps *step);
 
-/* Section 42: the names of SPEC.md; d2 and a32 are d' and a32'. */
+/* Section 42, by the names of SPEC.md; d2 is d'. */
 typedef struct corrected_steps {
-    number d, d2, phi, phi2, recip, x, F;
+    number d, d2, x, F;
 } corrected_steps;
 
 /* L' goes to lit, and a32' is the result. */

@@ -176,11 +176,6 @@ number with_sign(number size, number of)
     return sign_of(of) < 0 ? negative(size) : size;
 }
 
-int compare(number a, number b)
-{
-    return mpz_cmp(a, b);
-}
-
 int sign_of(number a)
 {
     return mpz_sgn(a);

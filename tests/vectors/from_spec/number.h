@@ -40,8 +40,7 @@ number most(number a, number b);
 number clamp(number a, number from, number to);
 number with_sign(number size, number of); /* sign(of) * size; the sign of 0 is 1 */
 
-int compare(number a, number b); /* below 0, 0, above 0: a less than, equal to, above b */
-int sign_of(number a);           /* -1, 0, 1 */
+int sign_of(number a); /* -1, 0, 1 */
 bool is_less(number a, number b);
 bool is_equal(number a, number b);
 unsigned bits_of(number a); /* of the magnitude: 0 for 0 */

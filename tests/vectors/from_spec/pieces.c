@@ -2,7 +2,7 @@
 #include "lengths.h"
 #include "operations.h"
 
-number cut(number n, number d)
+static number cut(number n, number d)
 {
     number size = magnitude(n), pace = magnitude(d);
     number w = floor_div(size, pace);
@@ -43,7 +43,7 @@ piece piece_from(const ray *r, number begin, number leave, unsigned level)
 {
     const unsigned bits = 24 + level;
     number half = power2(23);
-    piece p = {.begin = begin};
+    piece p;
     number next = sub(up(add(down(add(begin, half), bits), whole(1)), bits), half);
     p.end = least(next, leave);
     number length = sub(p.end, begin);
@@ -67,25 +67,28 @@ static number step_by_unit(number U, number step)
     return floor_div(down(wide, h), down(U, h));
 }
 
+/* What 2^32 units of O are worth for a step, of stored extinction times the step. */
+static number depth_of_extinction(number g, bool is_wide)
+{
+    if (is_wide)
+        return add(g, down(g, 16));
+    return add(mul(whole(257), g), add(add(down(g, 8), down(g, 16)), down(g, 24)));
+}
+
 medium medium_of(enum medium_kind kind, number U, number E, number step, number levels)
 {
-    medium m = {.k = step_by_unit(U, step), .g = whole(0)};
+    medium m;
+    number k = step_by_unit(U, step), wide = k;
     if (kind == MEDIUM_CORRECTED) {
-        m.depth = m.k;
-    } else if (kind == MEDIUM_OPACITY) {
-        m.g = up(m.k, 6);
-        m.depth = add(up(m.k, 7), down(m.k, 20));
+        m.depth = k;
     } else {
-        m.g = mul(E, step);
-        m.depth = add(m.g, down(m.g, 16));
-        if (kind == MEDIUM_EXTINCTION8) {
-            number tail = add(add(down(m.g, 8), down(m.g, 16)), down(m.g, 24));
-            m.depth = add(mul(whole(257), m.g), tail);
-        }
+        number g = kind == MEDIUM_OPACITY ? up(k, 6) : mul(E, step);
+        m.depth = kind == MEDIUM_OPACITY ? add(up(k, 7), down(k, 20))
+                                         : depth_of_extinction(g, kind == MEDIUM_EXTINCTION16);
+        wide = down(mul(g, whole(0xB17217F8)), 32);
     }
-    number wide = kind == MEDIUM_CORRECTED ? m.k : down(mul(m.g, whole(0xB17217F8)), 32);
-    const unsigned scaled = bits_of(wide) + (unsigned)small(levels);
-    const unsigned b = scaled > 33 ? scaled - 32 : 1;
+    const unsigned bits = bits_of(wide) + (unsigned)small(levels);
+    const unsigned b = bits > 33 ? bits - 32 : 1;
     m.b = whole(b);
     m.light = fits_unsigned(down(wide, b), 32);
     return m;

@@ -2,12 +2,8 @@
 
 ends preweighted_ends(const corners *c, const triple *f)
 {
-    number Y = f->v[1], Z = f->v[2];
-    ends r = {.b = rounded(mul(Y, Z), 8)};
-    r.u[0] = add(sub(sub(whole(256), Y), Z), r.b);
-    r.u[1] = sub(Y, r.b);
-    r.u[2] = sub(Z, r.b);
-    r.u[3] = r.b;
+    number Y = f->v[1], Z = f->v[2], b = rounded(mul(Y, Z), 8);
+    ends r = {.u = {add(sub(sub(whole(256), Y), Z), b), sub(Y, b), sub(Z, b), b}};
     for (int channel = 0; channel < 4; channel++) {
         number low = whole(0), high = whole(0);
         for (int j = 0; j < 4; j++) {
@@ -26,38 +22,38 @@ static number share(number v)
     return add(down(v, 16), down(v, 24));
 }
 
-preweighted_light preweighted_under(const preweighted_light *before, const ends *of, number X,
-                                    preweighted_under_steps *step)
+bool preweighted_under(preweighted_light *kept, const ends *of, number X)
 {
-    preweighted_light r = *before;
-    step->s = share(before->T);
-    step->h = down(mul(step->s, X), 8);
-    step->l = sub(step->s, step->h);
-    step->t = add(mul(of->low.v[3], step->l), mul(of->high.v[3], step->h));
-    if (sign_of(step->t) == 0)
-        return r;
+    number s = share(kept->T);
+    number h = down(mul(s, X), 8);
+    number l = sub(s, h);
+    number t = add(mul(of->low.v[3], l), mul(of->high.v[3], h));
+    if (sign_of(t) == 0)
+        return true;
     for (int c = 0; c < 3; c++) {
-        number lit = add(mul(of->low.v[c], step->l), mul(of->high.v[c], step->h));
-        r.E.v[c] = low_bits(add(before->E.v[c], lit), 32);
+        number lit = add(mul(of->low.v[c], l), mul(of->high.v[c], h));
+        kept->E.v[c] = low_bits(add(kept->E.v[c], lit), 32);
     }
-    r.T = fits_unsigned(sub(before->T, step->t), 32);
-    return r;
+    kept->T = fits_unsigned(sub(kept->T, t), 32);
+    return false;
 }
 
-preweighted_light preweighted_over(const preweighted_light *before, const ends *of, number X,
-                                   channels *m)
+/* m of a channel. */
+static number mean(const ends *of, number X, int channel)
 {
-    preweighted_light r = *before;
-    for (int c = 0; c < 4; c++) {
-        number low = mul(of->low.v[c], sub(whole(256), X));
-        m->v[c] = down(add(low, mul(of->high.v[c], X)), 8);
-    }
-    if (sign_of(m->v[3]) == 0)
-        return r;
+    number low = mul(of->low.v[channel], sub(whole(256), X));
+    return down(add(low, mul(of->high.v[channel], X)), 8);
+}
+
+bool preweighted_over(preweighted_light *kept, const ends *of, number X)
+{
+    number opacity = mean(of, X, 3);
+    if (sign_of(opacity) == 0)
+        return true;
     for (int c = 0; c < 3; c++) {
-        number left = sub(before->E.v[c], mul(m->v[3], share(before->E.v[c])));
-        r.E.v[c] = low_bits(add(left, up(m->v[c], 16)), 32);
+        number left = sub(kept->E.v[c], mul(opacity, share(kept->E.v[c])));
+        kept->E.v[c] = low_bits(add(left, up(mean(of, X, c), 16)), 32);
     }
-    r.T = fits_unsigned(sub(before->T, mul(m->v[3], share(before->T))), 32);
-    return r;
+    kept->T = fits_unsigned(sub(kept->T, mul(opacity, share(kept->T))), 32);
+    return false;
 }

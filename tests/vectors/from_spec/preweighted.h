@@ -13,7 +13,7 @@ typedef struct corners {
 } corners;
 
 typedef struct ends {
-    number b, u[4];
+    number u[4];
     channels low, high;
 } ends;
 
@@ -24,14 +24,8 @@ typedef struct preweighted_light {
     number T;
 } preweighted_light;
 
-typedef struct preweighted_under_steps {
-    number s, h, l, t;
-} preweighted_under_steps;
+/* Each returns whether the sample was skipped, in which case nothing changes. */
+bool preweighted_under(preweighted_light *kept, const ends *of, number X);
+bool preweighted_over(preweighted_light *kept, const ends *of, number X);
 
-preweighted_light preweighted_under(const preweighted_light *before, const ends *of, number X,
-                                    preweighted_under_steps *step);
-
-/* m of SPEC.md goes to m. */
-preweighted_light preweighted_over(const preweighted_light *before, const ends *of, number X,
-                                   channels *m);
 #endif /* PREWEIGHTED_H */

@@ -20,29 +20,24 @@ static ends in_ends(csv *c, number *X)
     return r;
 }
 
-static void out_preweighted(csv *c, const preweighted_light *l, bool is_skipped)
+typedef bool preweighted_function(preweighted_light *kept, const ends *of, number X);
+
+static void preweighted_stage(csv *c, preweighted_function *put)
 {
-    out(c, whole(is_skipped), "skipped");
-    out_triple(c, "en", &l->E);
-    out(c, l->T, "tn");
+    number X;
+    preweighted_light kept = {in_triple(c, "e"), in(c, "t")};
+    const ends of = in_ends(c, &X);
+    out(c, whole(put(&kept, &of, X)), "skipped");
+    out_triple(c, "en", &kept.E);
+    out(c, kept.T, "tn");
 }
 
 void stage_preweighted_under(csv *c)
 {
-    number X;
-    preweighted_under_steps step;
-    const preweighted_light before = {in_triple(c, "e"), in(c, "t")};
-    const ends of = in_ends(c, &X);
-    const preweighted_light after = preweighted_under(&before, &of, X, &step);
-    out_preweighted(c, &after, sign_of(step.t) == 0);
+    preweighted_stage(c, preweighted_under);
 }
 
 void stage_preweighted_over(csv *c)
 {
-    number X;
-    channels m;
-    const preweighted_light before = {in_triple(c, "e"), in(c, "t")};
-    const ends of = in_ends(c, &X);
-    const preweighted_light after = preweighted_over(&before, &of, X, &m);
-    out_preweighted(c, &after, sign_of(m.v[3]) == 0);
+    preweighted_stage(c, preweighted_over);
 }

@@ -1,9 +1,6 @@
 #include "tables.h"
 
 #include <mpfr.h>
-#include <stdio.h>
-
-#include "number.h"
 
 /* Far more bits than 32 and those of any cancellation below: no rounding is in doubt. */
 enum { BITS = 256 };

@@ -5,13 +5,13 @@
 #include "tables.h"
 
 /* Extinctions e of the opacities, and the greatest of them. */
-static number extinctions(const entries *of, converted_steps *step)
+static number extinctions(const entries *of, number e[])
 {
     number greatest = whole(0);
     for (unsigned q = 0; q < of->count; q++) {
-        step->x[q] = of->bits == 8 ? ext8(of->A[q]) : ext16(of->A[q]);
-        step->e[q] = fits_unsigned(sub(step->x[q], down(step->x[q], 30)), 30);
-        greatest = most(greatest, step->e[q]);
+        number x = of->bits == 8 ? ext8(of->A[q]) : ext16(of->A[q]);
+        e[q] = fits_unsigned(sub(x, down(x, 30)), 30);
+        greatest = most(greatest, e[q]);
     }
     return greatest;
 }
@@ -19,17 +19,17 @@ static number extinctions(const entries *of, converted_steps *step)
 sample converted(const entries *of, const number w[], converted_steps *step)
 {
     sample r = {whole(0), {{whole(0), whole(0), whole(0)}}, false};
-    number greatest = extinctions(of, step);
+    number greatest = extinctions(of, step->e);
     r.is_skipped = sign_of(greatest) == 0;
     const unsigned s = r.is_skipped ? 0 : least_shift(greatest, 1, power2(29));
-    const int widened = of->bits == 8 ? 257 : 1;
+    number widening = whole(of->bits == 8 ? 257 : 1);
     step->s = whole(s);
     for (unsigned q = 0; q < of->count; q++) {
         step->h[q] = hi(up(w[q], 15), up(step->e[q], s + 2));
         r.O = fits_unsigned(add(r.O, step->h[q]), 32);
         for (int c = 0; c < 3; c++) {
-            step->term[c][q] = shift16(step->h[q], mul(whole(widened), of->K[c][q]));
-            r.L.v[c] = fits_unsigned(add(r.L.v[c], step->term[c][q]), 32);
+            number term = shift16(step->h[q], mul(widening, of->K[c][q]));
+            r.L.v[c] = fits_unsigned(add(r.L.v[c], term), 32);
         }
     }
     return r;
@@ -41,22 +41,22 @@ static number widened(number x)
     return fits_unsigned(sub(up(x, 1), down(x, 31)), 32);
 }
 
+/* F, u32.(32-b). */
+static number light_factor(const corrected_steps *step, const medium *of)
+{
+    if (!is_less(step->d, up(whole(23), 32)))
+        return down(step->x, (unsigned)small(of->b) - 1);
+    number share = hi(up(recip(phi(step->d)), 1), phi(step->d2));
+    return fits_unsigned(down(mul(share, of->light), 27), 32);
+}
+
 number corrected(triple *lit, const triple *L, number a32, const medium *of, corrected_steps *step)
 {
     const unsigned b = (unsigned)small(of->b);
     step->d = depth_of(sub(sub(power2(32), whole(1)), a32));
     step->d2 = fits_unsigned(down(mul(step->d, of->depth), 32), 64);
     step->x = sub(power2(31), transmittance(step->d2));
-    step->phi = phi(step->d);
-    step->phi2 = phi(step->d2);
-    step->recip = NULL;
-    if (is_less(step->d, up(whole(23), 32))) {
-        step->recip = recip(step->phi);
-        number share = hi(up(step->recip, 1), step->phi2);
-        step->F = fits_unsigned(down(mul(share, of->light), 27), 32);
-    } else {
-        step->F = down(step->x, b - 1);
-    }
+    step->F = light_factor(step, of);
     const bool is_whole_step = is_equal(of->depth, power2(32));
     for (int c = 0; c < 3; c++)
         lit->v[c] = is_whole_step ? L->v[c] : down(mul(L->v[c], step->F), 32 - b);
