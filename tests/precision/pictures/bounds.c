@@ -69,7 +69,7 @@ static void add_neighbour(neighbours *of, const qv_volume *volume, ref_mode mode
 
 static neighbours look_around(const qv_volume *volume, ref_mode mode, const double point[3])
 {
-    neighbours of = {0, 0, 0, 0};
+    neighbours of = {0};
     ref_taps taps[3];
     const bool bspline = mode == REF_BSPLINE_WEIGHTED || mode == REF_BSPLINE_EXTINCTION;
     for (int axis = 0; axis < 3; axis++) {

@@ -148,7 +148,8 @@ static double sample(double light[3], const stage *s, const double point[3])
 
 /* ---- Sections 13 to 16 ------------------------------------------------------------------ */
 
-/* As Q0.32: 1 / (2^n - 1) is 2^-n + 2^-2n + ..., each term cut. */
+/* As Q0.32: 1 / (2^n - 1) is 2^-n + 2^-2n + ..., each term cut. O is below 2^32: nothing is left
+   of it beyond a shift of 16 + 32. */
 static double opacity32(const stage *s, double opacity)
 {
     double sum = 0;

@@ -92,7 +92,7 @@ static void pack(paper_picture *picture)
 static picture_error error_of(const pipeline *of, const picture_scene *scene,
                               const paper_picture *truth)
 {
-    picture_error found = {0, 0, 0, 0, 0, 0};
+    picture_error found = {0};
     paper_picture got;
     model_picture(&got, &of->of, scene, &of->by);
     if (of->packed) {
@@ -149,7 +149,7 @@ static void add_budget(table *t, unsigned number, unsigned bits)
     const pipeline ours = {model_library, {storage, STORE_UNORM, bits, false}, true};
     picture_scene scene;
     paper_picture truth;
-    picture_error sum = {0, 0, 0, 0, 0, 0};
+    picture_error sum = {0};
     picture_scene_make(&scene, number);
     truth_picture(&truth, &scene);
     const picture_error all = error_of(&ours, &scene, &truth);

@@ -13,7 +13,7 @@ typedef double fog_error(const picture_scene *fog, const paper_picture *truth);
 
 static double take_worst(paper_picture *got, const paper_picture *truth)
 {
-    picture_error found = {0, 0, 0, 0, 0, 0};
+    picture_error found = {0};
     error_take(&found, got, truth);
     return found.worst;
 }
@@ -101,7 +101,7 @@ static void opacities(const char *folder)
     table_begin(&t, folder, "pictures_opacity",
                 "opacity from|to|RGBA16|RGBA8|preweighted RGBA8|15 bits, as VTK|half floats");
     for (int row = 0; row < 2 * decades; row++) {
-        double worst[COUNT(by_opacity)] = {0, 0, 0, 0, 0};
+        double worst[COUNT(by_opacity)] = {0};
         for (int i = 0; i < per_decade / 2; i++) {
             const double decade = row / 2.0 + i / (double)per_decade;
             add_opacity(curve, worst, pow(10, decade - decades));
@@ -158,7 +158,7 @@ static void counts(const char *folder)
            "Plot: `pictures_samples.png`.\n\n");
     table_begin(&t, folder, "pictures_samples", "samples|8 bits|12|16|20|24|31|bound of 24");
     for (unsigned samples = 1; samples <= QV_AXIS_MAX; samples *= 2) {
-        double worst[COUNT(accumulators)] = {0, 0, 0, 0, 0, 0};
+        double worst[COUNT(accumulators)] = {0};
         add_count(worst, samples);
         table_number(&t, "%.0f", samples);
         for (size_t i = 0; i < COUNT(accumulators); i++) {

@@ -27,7 +27,7 @@ typedef struct goal_row {
 
 static void add_picture(goal_row *row, paper_picture *got, const paper_picture *truth)
 {
-    picture_error scene = {0, 0, 0, 0, 0, 0};
+    picture_error scene = {0};
     error_add(&scene, got, truth);
     error_take(&row->all, got, truth);
     row->psnr = fmin(row->psnr, error_psnr(&scene));
@@ -144,10 +144,10 @@ static void judge(const goal_row rows[], size_t count, const char *scenes)
 static void high_bits(const char *folder)
 {
     goal_row ours[] = {
-        {"rays, 31 bits", NULL, false, {0, 0, 0, 0, 0, 0}, HUGE_VAL, 100},
-        {"rays, model of 24 bits", NULL, true, {0, 0, 0, 0, 0, 0}, HUGE_VAL, 100},
-        {"slices, over_rgba24", &qv_over_rgba24, false, {0, 0, 0, 0, 0, 0}, HUGE_VAL, 100},
-        {"slices, under_rgb24", &qv_under_rgb24, false, {0, 0, 0, 0, 0, 0}, HUGE_VAL, 100},
+        {"rays, 31 bits", NULL, false, {.worst = 0}, HUGE_VAL, 100},
+        {"rays, model of 24 bits", NULL, true, {.worst = 0}, HUGE_VAL, 100},
+        {"slices, over_rgba24", &qv_over_rgba24, false, {.worst = 0}, HUGE_VAL, 100},
+        {"slices, under_rgb24", &qv_under_rgb24, false, {.worst = 0}, HUGE_VAL, 100},
     };
     goal_row random[] = {ours[0], ours[2], ours[3]};
     table t;
@@ -185,7 +185,7 @@ static const our_mode associated8 = {"preweighted", QV_STORAGE_ASSOCIATED8,
 
 static double psnr_of(const paper_picture *truth, const picture_scene *scene, const our_mode *by)
 {
-    picture_error found = {0, 0, 0, 0, 0, 0};
+    picture_error found = {0};
     paper_picture got;
     ours_picture(&got, scene, by);
     error_take(&found, &got, truth);

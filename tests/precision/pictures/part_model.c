@@ -27,6 +27,9 @@ static const check checks[] = {
      true},
 };
 
+/* Of doubles that are added up in another order. */
+static const double same = 1e-12;
+
 typedef struct agreement {
     double channels, unequal; /* of the library */
     double farthest;          /* from the reference, 1 being full scale */
@@ -85,7 +88,7 @@ void part_model(const char *folder)
     table_begin(&t, folder, "pictures_model",
                 "mode|channels|unequal to the library|farthest from the reference");
     for (size_t i = 0; i < COUNT(checks); i++) {
-        agreement library = {0, 0, 0}, reference = {0, 0, 0};
+        agreement library = {0}, reference = {0};
         for (unsigned number = 0; number < picture_scenes; number++) {
             picture_scene scene;
             picture_scene_make(&scene, number);
@@ -96,8 +99,8 @@ void part_model(const char *folder)
         table_text(&t, checks[i].of.name);
         table_number(&t, "%.0f", library.channels);
         table_number(&t, "%.0f", library.unequal);
-        table_text(&t, reference.farthest < 1e-12 ? "below 1e-12" : "1e-12 or more");
-        equal = equal && library.unequal == 0 && reference.farthest < 1e-12;
+        table_text(&t, reference.farthest < same ? "below 1e-12" : "1e-12 or more");
+        equal = equal && library.unequal == 0 && reference.farthest < same;
     }
     table_end(&t);
     goal(equal, "the model is the library and the reference");

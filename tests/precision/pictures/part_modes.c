@@ -105,7 +105,7 @@ static void add_scene(by_mode *into, const mode_case *of, unsigned number)
 
 static bool add_mode(table *t, const mode_case *of)
 {
-    by_mode found = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {0, 0}, {0, 0}};
+    by_mode found = {.largest = {0}};
     for (unsigned number = 0; number < picture_scenes; number++) {
         add_scene(&found, of, number);
     }

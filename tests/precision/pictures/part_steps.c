@@ -44,7 +44,7 @@ static void add_scene(by_step into[steps], const our_mode *by, unsigned number)
 {
     picture_scene scene;
     ours_volume volume;
-    paper_picture truth = {0, 0, NULL};
+    paper_picture truth = {0};
     picture_scene_make(&scene, number);
     ours_make(&volume, &scene, by);
     for (int i = 0; i < steps; i++) {
@@ -72,7 +72,7 @@ void part_steps(const char *folder)
     table_begin(&t, folder, "pictures_steps",
                 "mode|step in voxels|arithmetic: RMS|worst|PSNR|sampling: RMS|worst|PSNR");
     for (size_t i = 0; i < COUNT(modes); i++) {
-        by_step found[steps] = {{{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}}};
+        by_step found[steps] = {{.arithmetic = {0}}};
         for (unsigned number = 0; number < picture_scenes; number++) {
             add_scene(found, &modes[i], number);
         }

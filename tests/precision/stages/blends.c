@@ -254,7 +254,7 @@ static void measure_random_hits(measured *m, unsigned unused)
     {                                                                                              \
         "fog in " format ", by blocks", "u" format ", light u32.23", "by dither", "unit", SLICES,  \
             4, "1024 slices, 93 opacities", measure_blocks, fraction,                              \
-            "The bound holds for any dither; by blocks errors do not add up."                      \
+            "The bound is that of any dither values; none nearer is proved for these."             \
     }
 
 static const stage stages[] = {

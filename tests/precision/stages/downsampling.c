@@ -255,6 +255,21 @@ static void measure_pyramid_colour(measured *m, unsigned levels)
         measured_input(m, "white rounded upwards above black rounded downwards");
 }
 
+/* Seven blocks of white with three voxels of opacity 1, whose mean is rounded to nothing, and one
+   of black with four, which is rounded to 1. */
+static void measure_lost_colour(measured *m, unsigned levels)
+{
+    for (unsigned i = 0; i < 1u << 3 * levels; i++) {
+        const unsigned place = place_of(i, levels), edge = 1u << LEVELS_MOST;
+        const unsigned white =
+            (place / 2) % (edge / 2) + place / edge / 2 % (edge / 2) + place / edge / edge / 2;
+        voxels[0][i][0] = (uint16_t)(white != 0 ? 65535 : 0);
+        voxels[0][i][3] = (uint16_t)ones_above(place, 1, white != 0 ? 3 : 4);
+    }
+    if (measure_levels(m, levels, 1))
+        measured_input(m, "opacities 0 and 1: white rounded to nothing, black to 1");
+}
+
 /* ---- The chapter -------------------------------------------------------------------------- */
 
 #define PYRAMID(l)                                                                                 \
@@ -281,6 +296,8 @@ static const stage stages[] = {
      "search", measure_colour, 0, NULL},
     {"mean opacity, by extinction", "8 unorm16", "log, mean, exp; to nearest", "1/65535", .511, 2,
      "search", measure_extinction, 0, NULL},
+    {"colour, 2 levels, any opacity", "unorm16", "to nearest on each", "1/65535", 65535, 4,
+     "one pyramid", measure_lost_colour, 2, NULL},
     PYRAMID(2),
     PYRAMID(3),
     PYRAMID(5),

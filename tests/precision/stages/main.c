@@ -9,9 +9,10 @@
 #include <string.h>
 
 static const chapter *const chapters[] = {
-    &chapter_rays,   &chapter_weights,      &chapter_samples, &chapter_bspline,
-    &chapter_depth,  &chapter_composite,    &chapter_lengths, &chapter_blends,
-    &chapter_pixels, &chapter_downsampling, &chapter_splats,
+    &chapter_rays,    &chapter_entries, &chapter_weights,   &chapter_samples,
+    &chapter_bspline, &chapter_depth,   &chapter_composite, &chapter_preweighted,
+    &chapter_lengths, &chapter_blends,  &chapter_pixels,    &chapter_downsampling,
+    &chapter_splats,
 };
 
 #define STAGES_MOST 128
@@ -37,7 +38,7 @@ static void print_summary(const measured *all)
     for (size_t c = 0; c < COUNT(chapters); c++) {
         for (size_t i = 0; i < chapters[c]->count; i++, all++) {
             const stage *s = &chapters[c]->stages[i];
-            printf("| %s | %s | %s | %s | %.4g | %.4g | %.3g | %s | %s |\n", s->name, s->formats,
+            printf("| %s | %s | %s | %s | %.5g | %.5g | %.3g | %s | %s |\n", s->name, s->formats,
                    s->rounding, s->unit, s->bound, all->worst, measured_rms(all), s->inputs,
                    all->input);
         }
@@ -50,7 +51,7 @@ static void print_chapters(const measured *all)
         printf("\n### 1.%zu %s\n\n%s", c + 1, chapters[c]->title, chapters[c]->derivation);
         for (size_t i = 0; i < chapters[c]->count; i++, all++) {
             const stage *s = &chapters[c]->stages[i];
-            printf("\n- **%s**: %.4g of at most %.4g (%s).%s%s", s->name, all->worst, s->bound,
+            printf("\n- **%s**: %.5g of at most %.5g (%s).%s%s", s->name, all->worst, s->bound,
                    s->unit, s->reason != NULL ? " " : "", s->reason != NULL ? s->reason : "");
         }
         printf("\n");

@@ -179,7 +179,7 @@ static void measure_dither_mean(measured *m, unsigned bits)
             "search", measure_read_out, storage, NULL                                              \
     }
 #define DITHER(bits, format)                                                                       \
-    {"dither to " #bits " bit, " format,                                                           \
+    {"dither to u" #bits ", " format,                                                              \
      "u32.16 levels to u" #bits,                                                                   \
      "ordered, 64 thresholds",                                                                     \
      "own level",                                                                                  \
@@ -190,9 +190,8 @@ static void measure_dither_mean(measured *m, unsigned bits)
      bits,                                                                                         \
      NULL},                                                                                        \
     {                                                                                              \
-        "mean of 8 x 8 pixels of " #bits " bit", "u32.16 levels to u" #bits,                       \
-            "ordered, 64 thresholds", "own level", 1 / 128., 2, "every 257th channel",             \
-            measure_dither_mean, bits, NULL                                                        \
+        "mean of 8 x 8 pixels of u" #bits, "u32.16 levels to u" #bits, "ordered, 64 thresholds",   \
+            "own level", 1 / 128., 2, "every 257th channel", measure_dither_mean, bits, NULL       \
     }
 
 static const stage stages[] = {

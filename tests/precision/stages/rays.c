@@ -200,8 +200,8 @@ static const stage stages[] = {
      measure_rotation, 0, NULL},
     {"length in voxels", "2 u32.16 to s64.32", "quotient, to nearest", "2^-32 voxel", .5, 2,
      "search", measure_voxels, 0, NULL},
-    {"direction of a ray", "3 s64.32 to 3 s32.30", "cut, root, product to nearest", "2^-30", 4.8, 4,
-     "search", measure_direction, 0, NULL},
+    {"direction of a ray", "3 s64.32 to 3 s32.30", "cut, root, product to nearest", "2^-30", 2.42,
+     2, "search", measure_direction, 0, NULL},
 };
 
 const chapter chapter_rays = {
@@ -217,6 +217,9 @@ const chapter chapter_rays = {
     "errors, sqrt(2) e = 2.8 by those of the roll, and three roundings of 1/2.\n\n"
     "**Length.** One quotient to nearest. From there on an orthographic ray is exact: pixel and\n"
     "sample numbers multiply whole numbers.\n\n"
-    "**Direction.** In units of 2^-30: the component's own bits are cut (1), those of the three\n"
-    "shorten the length by up to sqrt(3), the root is off by 1.5, the product by 1/2.\n",
+    "**Direction.** In units of 2^-30, of a component x of the unit vector: the cut of the other "
+    "two,\n"
+    "less than 1 each of 2^30 or more, lengthens it by sqrt(2) x sqrt(1 - x^2) at most; its own\n"
+    "shortens it by 1 - x^2; the root is off by 1.5 x, the product by 1/2. At x = .87 that is "
+    "2.42.\n",
     stages, COUNT(stages)};

@@ -66,6 +66,6 @@ typedef struct chapter {
 
 extern const chapter chapter_weights, chapter_depth, chapter_samples, chapter_composite,
     chapter_pixels, chapter_blends, chapter_bspline, chapter_rays, chapter_lengths, chapter_splats,
-    chapter_downsampling;
+    chapter_downsampling, chapter_preweighted, chapter_entries;
 
 #endif /* STAGES_H */
