@@ -64,6 +64,8 @@ const vector_stage *const vector_stages[] = {
     &stage_residual,
     &stage_replay,
     &stage_slice_dither,
+    &stage_pixel_blend,
+    &stage_pixel_show,
     &stage_order,
     &stage_attenuation,
     &stage_length,

@@ -60,6 +60,9 @@ extern const vector_stage stage_light, stage_blend_plain, stage_blend_dithered, 
 /* stages_front.c */
 extern const vector_stage stage_blend_front, stage_residual, stage_replay;
 
+/* stages_buffer.c */
+extern const vector_stage stage_pixel_blend, stage_pixel_show;
+
 /* stages_freevoxel.c */
 extern const vector_stage stage_order, stage_attenuation;
 

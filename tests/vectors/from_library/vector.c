@@ -195,6 +195,8 @@ void vector_set_make(vector_set *set, const vector_stage *stage, unsigned wanted
         stage->edges(set);
     for (unsigned i = 0; i < stage->random_rows; i++)
         add_random(set, &random);
+    if (stage->added != NULL)
+        stage->added(set);
     while (stage->draw != NULL && set->count < wanted)
         add_random(set, &random);
 }
