@@ -56,86 +56,78 @@ FX_INLINE void qv_part_one(fx_weight part[3], const qv_triple *triple)
     part[1] = fx_weight_sub(fx_weight_sub(fx_weight_of(FX_WEIGHT_ONE), part[0]), part[2]);
 }
 
-/* The nine rows of three voxels, y fastest. */
-typedef struct qv_rows {
-    qv_address row[9]; /* where voxels are at[i] of the x axis from */
-    const qv_offset *at;
-} qv_rows;
-
-FX_INLINE void qv_rows_locate(qv_rows *rows, const qv_triple triple[3], const qv_volume *volume)
+/* One of the nine rows of three voxels: where voxels are at[i] of the x axis from. */
+FX_INLINE qv_address qv_row(const qv_triple triple[3], unsigned j, unsigned k,
+                            const qv_volume *volume)
 {
-    rows->at = triple[0].at;
-    for (unsigned k = 0; k < 3; k++) {
-        qv_address slice = qv_at(volume->voxels, triple[2].at[k]);
-        rows->row[3u * k] = qv_at(slice, triple[1].at[0]);
-        rows->row[3u * k + 1u] = qv_at(slice, triple[1].at[1]);
-        rows->row[3u * k + 2u] = qv_at(slice, triple[1].at[2]);
-    }
+    return qv_at(qv_at(volume->voxels, triple[2].at[k]), triple[1].at[j]);
 }
 
-FX_INLINE qv_address qv_rows_entry(const qv_rows *rows, unsigned row, unsigned i,
-                                   const qv_volume *volume, unsigned storage)
+FX_INLINE qv_address qv_row_entry(qv_address row, const qv_triple *x, unsigned i,
+                                  const qv_volume *volume, unsigned storage)
 {
-    return qv_entry(qv_at(rows->row[row], rows->at[i]), volume, storage);
+    return qv_entry(qv_at(row, x->at[i]), volume, storage);
+}
+
+/* The largest opacity of a row. */
+FX_INLINE uint32_t qv_row_most(qv_address row, const qv_triple *x, const qv_volume *volume,
+                               unsigned storage)
+{
+    uint32_t a = qv_opacity_bits(qv_row_entry(row, x, 0, volume, storage), storage);
+    uint32_t b = qv_opacity_bits(qv_row_entry(row, x, 1, volume, storage), storage);
+    uint32_t c = qv_opacity_bits(qv_row_entry(row, x, 2, volume, storage), storage);
+    return (a | b | c) == 0 ? 0 : qv_larger(qv_larger(a, b), c);
 }
 
 /* Whether one of the 27 voxels has opacity. Most samples that are not in the void find it in
    their first row. */
-FX_INLINE int qv_rows_any(const qv_rows *rows, const qv_volume *volume, unsigned storage)
+FX_INLINE int qv_rows_any(const qv_triple triple[3], const qv_volume *volume, unsigned storage)
 {
-    for (unsigned row = 0; row < 9; row++) {
-        uint32_t any = qv_opacity_bits(qv_rows_entry(rows, row, 0, volume, storage), storage) |
-                       qv_opacity_bits(qv_rows_entry(rows, row, 1, volume, storage), storage) |
-                       qv_opacity_bits(qv_rows_entry(rows, row, 2, volume, storage), storage);
-        if (any != 0)
-            return 1;
-    }
+    for (unsigned k = 0; k < 3; k++)
+        for (unsigned j = 0; j < 3; j++)
+            if (qv_row_most(qv_row(triple, j, k, volume), &triple[0], volume, storage) != 0)
+                return 1;
     return 0;
 }
 
 /* The largest opacity of the 27 voxels. */
-FX_INLINE uint32_t qv_rows_most(const qv_rows *rows, const qv_volume *volume, unsigned storage)
+FX_INLINE uint32_t qv_rows_most(const qv_triple triple[3], const qv_volume *volume,
+                                unsigned storage)
 {
     uint32_t most = 0;
-    for (unsigned row = 0; row < 9; row++) {
-        uint32_t a = qv_opacity_bits(qv_rows_entry(rows, row, 0, volume, storage), storage);
-        uint32_t b = qv_opacity_bits(qv_rows_entry(rows, row, 1, volume, storage), storage);
-        uint32_t c = qv_opacity_bits(qv_rows_entry(rows, row, 2, volume, storage), storage);
-        if ((a | b | c) != 0)
-            most = qv_larger(qv_larger(most, a), qv_larger(b, c));
-    }
+    for (unsigned k = 0; k < 3; k++)
+        for (unsigned j = 0; j < 3; j++)
+            most = qv_larger(
+                most, qv_row_most(qv_row(triple, j, k, volume), &triple[0], volume, storage));
     return most;
 }
 
 /* The sums over all voxels, each with its part of 1. */
-FX_INLINE void qv_add_rows(qv_sample *sum, const qv_rows *rows, const qv_triple triple[3],
-                           const qv_volume *volume, unsigned storage, qv_factor factor)
+FX_INLINE void qv_add_rows(qv_sample *sum, const qv_triple triple[3], const qv_volume *volume,
+                           unsigned storage, qv_factor factor)
 {
     fx_weight slice[3], row[3], voxel[3];
     qv_part_one(slice, &triple[2]);
     for (unsigned k = 0; k < 3; k++) {
         qv_part(row, slice[k], &triple[1]);
         for (unsigned j = 0; j < 3; j++) {
-            unsigned number = 3u * k + j;
+            qv_address at = qv_row(triple, j, k, volume);
             qv_part(voxel, row[j], &triple[0]);
-            qv_add_voxel(sum, voxel[0], qv_rows_entry(rows, number, 0, volume, storage), storage,
-                         factor);
-            qv_add_voxel(sum, voxel[1], qv_rows_entry(rows, number, 1, volume, storage), storage,
-                         factor);
-            qv_add_voxel(sum, voxel[2], qv_rows_entry(rows, number, 2, volume, storage), storage,
-                         factor);
+            for (unsigned i = 0; i < 3; i++)
+                qv_add_voxel(sum, voxel[i], qv_row_entry(at, &triple[0], i, volume, storage),
+                             storage, factor);
         }
     }
 }
 
 /* Whether there is anything to see; and the scale of extinctions of stored opacities. */
-FX_INLINE int qv_rows_begin(qv_sample *sum, const qv_rows *rows, const qv_volume *volume,
+FX_INLINE int qv_rows_begin(qv_sample *sum, const qv_triple triple[3], const qv_volume *volume,
                             unsigned storage, qv_factor factor)
 {
     sum->scale = 0;
     if (factor != QV_BY_DENSITY)
-        return qv_rows_any(rows, volume, storage);
-    uint32_t most = qv_rows_most(rows, volume, storage);
+        return qv_rows_any(triple, volume, storage);
+    uint32_t most = qv_rows_most(triple, volume, storage);
     if (most == 0)
         return 0;
     sum->scale = qv_density_scale(most, storage);
@@ -146,18 +138,14 @@ FX_INLINE int qv_bspline(qv_sample *sample, const qv_ray *ray, const qv_volume *
                          unsigned storage, qv_factor factor)
 {
     qv_triple triple[3];
-    qv_rows rows;
-    qv_sample sum; /* where no other store reaches it */
     qv_triple_locate(&triple[0], volume->size[0], (qv_offset)volume->stride[0], ray, 0);
     qv_triple_locate(&triple[1], volume->size[1], (qv_offset)volume->stride[1], ray, 1);
     qv_triple_locate(&triple[2], volume->size[2], (qv_offset)volume->stride[2], ray, 2);
-    qv_rows_locate(&rows, triple, volume);
-    if (!qv_rows_begin(&sum, &rows, volume, storage, factor))
+    if (!qv_rows_begin(sample, triple, volume, storage, factor))
         return 0;
-    sum.opacity = fx_share_of(0);
-    sum.light[0] = sum.light[1] = sum.light[2] = fx_sum_of(0);
-    qv_add_rows(&sum, &rows, triple, volume, storage, factor);
-    *sample = sum;
+    sample->opacity = fx_share_of(0);
+    sample->light[0] = sample->light[1] = sample->light[2] = fx_sum_of(0);
+    qv_add_rows(sample, triple, volume, storage, factor);
     return 1;
 }
 

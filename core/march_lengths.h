@@ -44,6 +44,8 @@ FX_INLINE int qv_march_run(qv_light *light, qv_gathered *gathered, qv_run *run, 
     ray->samples -= run->samples;
     for (; run->samples != 0; qv_advance_run(run, ray)) {
         qv_sample sample;
+        if (family->bring)
+            family->bring(ray, &context->scene.volume);
         if (!look(&sample, ray, &context->scene.volume, levels)) {
             light->skipped++;
             continue;
@@ -87,6 +89,8 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
         for (; run.samples != 0; qv_advance_run(&run, ray)) {
             qv_sample sample;
             ray->samples--;
+            if (family->bring)
+                family->bring(ray, &context->scene.volume);
             if (look(&sample, ray, &context->scene.volume, 0))
                 family->over(light, family->gathers ? &gathered : 0, &sample, &medium, storage);
             else

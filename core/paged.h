@@ -26,19 +26,38 @@ typedef struct qv_paged_cell {
     fx_fraction fraction[3];
 } qv_paged_cell;
 
-FX_INLINE void qv_paged_find(qv_paged_cell *cell, const qv_ray *ray, const qv_volume *volume,
-                             unsigned storage)
+FX_INLINE void qv_paged_corners(qv_paged_cell *cell, const uint32_t beyond[3], const qv_ray *ray,
+                                const qv_volume *volume, unsigned storage)
 {
-    qv_pages *pages = volume->pages;
-    uint32_t beyond[3];
-    while (!qv_paged_locate(beyond, pages, ray))
-        qv_pages_seek(pages, ray->place);
+    const qv_pages *pages = volume->pages;
     uint32_t offset = beyond[0] * qv_voxel_bytes(storage) + beyond[1] * pages->stride[1] +
                       beyond[2] * pages->stride[2]; /* below the bytes of a page */
     for (unsigned c = 0; c < 8; c++)
         cell->corner[c] = qv_paged_entry(pages->corner[c] + (size_t)offset, volume, storage);
     for (unsigned axis = 0; axis < 3; axis++)
         cell->fraction[axis] = fx_fraction_of((uint32_t)ray->place[axis] >> 24);
+}
+
+/* Of any ray. */
+FX_INLINE void qv_paged_find(qv_paged_cell *cell, const qv_ray *ray, const qv_volume *volume,
+                             unsigned storage)
+{
+    uint32_t beyond[3];
+    while (!qv_paged_locate(beyond, volume->pages, ray))
+        qv_pages_seek(volume->pages, ray->place);
+    qv_paged_corners(cell, beyond, ray, volume, storage);
+}
+
+/* Moves the box of cells to where a ray stands, if it does not lie there. */
+void qv_paged_bring(const qv_ray *ray, const qv_volume *volume);
+
+/* Of a ray that stands in the box. */
+FX_INLINE void qv_paged_find_brought(qv_paged_cell *cell, const qv_ray *ray,
+                                     const qv_volume *volume, unsigned storage)
+{
+    uint32_t beyond[3];
+    (void)qv_paged_locate(beyond, volume->pages, ray);
+    qv_paged_corners(cell, beyond, ray, volume, storage);
 }
 
 /* The voxel that contains the point, by 1/2 more of it; clamped for the 1/512 in it. */
@@ -88,12 +107,12 @@ QV_TAKE_PAGED(nearest, qv_paged_find_nearest)
 QV_TAKE_PAGED(separate, qv_paged_find)
 QV_TAKE_PAGED(weighted, qv_paged_find)
 
-/* The others do not. */
+/* The others do not, and their rays stand in the box: qv_family.bring. */
 FX_INLINE int qv_paged_weighted(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                                 unsigned storage)
 {
     qv_paged_cell cell;
-    qv_paged_find(&cell, ray, volume, storage);
+    qv_paged_find_brought(&cell, ray, volume, storage);
     return qv_paged_cell_weighted(sample, &cell, storage);
 }
 
@@ -101,7 +120,7 @@ FX_INLINE int qv_paged_converted(qv_sample *sample, const qv_ray *ray, const qv_
                                  unsigned storage)
 {
     qv_paged_cell cell;
-    qv_paged_find(&cell, ray, volume, storage);
+    qv_paged_find_brought(&cell, ray, volume, storage);
     return qv_interpolate_corners(sample, cell.corner, cell.fraction, storage, QV_BY_DENSITY);
 }
 

@@ -41,56 +41,75 @@ static int next_ray(qv_ray *ray, qv_coord place[3], const qv_context *context, i
     return 1;
 }
 
-/* What a pixel sees of a slice; 0 where that is nothing. */
-static int see(qv_fragment *fragment, const qv_context *context, qv_ray *ray, int32_t slice)
+/* What a pixel sees of a slice. */
+static void see(qv_light *light, const qv_context *context, qv_ray *ray, int32_t slice)
 {
     const qv_sampling *sampling = context->scene.sampling;
-    qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
     int placed = QV_FIELD(sampling, by_length) ? place_stretch(ray, context, slice)
                                                : qv_ray_hold(ray, context);
-    if (!placed)
-        return 0;
-    QV_FIELD(sampling, march)(&light, ray, context);
-    if (light.transmittance == QV_CLEAR)
-        return 0;
-    for (unsigned c = 0; c < 3; c++) /* colours stay below 2^31 + 2^22 */
-        fragment->light[c] =
-            fx_light_of(light.colour[c], QV_LIGHT_OF(QV_FIELD(sampling, read_out)));
-    fragment->opacity =
-        light.transmittance == 0 ? 0xFFFFFFFFu : (QV_CLEAR - light.transmittance) << 1;
-    return 1;
+    if (placed)
+        QV_FIELD(sampling, march)(light, ray, context);
 }
 
+/* ---- Its pixels --------------------------------------------------------------- */
+
+/* A pixel of a row, and how the slice is blended into it. */
+typedef struct spot {
+    const qv_blend *blend;
+    qv_place place;
+    qv_moment moment;
+} spot;
+
 /* Whether nothing behind a pixel can be seen, as far as the scene's termination goes. */
-static int closed(const qv_place *place, const qv_blend *blend, const qv_context *context)
+static int closed(const spot *at, const qv_context *context)
 {
     uint32_t enough = (uint32_t)context->scene.termination << 8; /* Q0.16 to Q0.24 */
-    return QV_FIELD(blend, kind) == QV_UNDER && qv_bytes_read(place->beside, 3) <= enough;
+    return QV_FIELD(at->blend, kind) == QV_UNDER && qv_bytes_read(at->place.beside, 3) <= enough;
+}
+
+static void fragment_of(qv_fragment *fragment, const qv_light *light, uint32_t read_out)
+{
+    for (unsigned c = 0; c < 3; c++) /* colours stay below 2^31 + 2^22 */
+        fragment->light[c] = fx_light_of(light->colour[c], QV_LIGHT_OF(read_out));
+    fragment->opacity =
+        light->transmittance == 0 ? 0xFFFFFFFFu : (QV_CLEAR - light->transmittance) << 1;
+}
+
+/* Blends light into a pixel. The fragment is made when the ray is done: the stack holds one of them
+   at a time. */
+static FX_NOINLINE void put(spot *at, const qv_light *light, const qv_context *context)
+{
+    qv_fragment fragment = {{0, 0, 0}, 0};
+    if (light->transmittance != QV_CLEAR)
+        fragment_of(&fragment, light, QV_FIELD(context->scene.sampling, read_out));
+    else if (QV_FIELD(at->blend, kind) != QV_HAND_OUT)
+        return;
+    qv_place_blend(&at->place, at->blend, &fragment, &at->moment);
 }
 
 qv_status qv_slice(const qv_buffer *buffer, const qv_dither *dither, const qv_context *context,
                    const qv_rect *rect, int32_t slice)
 {
-    qv_moment moment;
+    spot at;
     qv_status status = context ? qv_buffer_check(buffer, rect) : QV_ERROR_NULL;
     if (status == QV_OK)
-        status = qv_moment_of(&moment, dither, buffer->blend, slice);
+        status = qv_moment_of(&at.moment, dither, buffer->blend, slice);
     if (status != QV_OK)
         return status;
-    const qv_blend *blend = buffer->blend;
-    uint32_t step = qv_dither_step(moment.spread);
+    at.blend = buffer->blend;
     for (int32_t y = rect->top; y < rect->bottom; y++) {
-        qv_place place = qv_place_of(buffer, &moment, rect, (unsigned)(y - rect->top));
         qv_coord start[3] = {0, 0, 0};
         qv_ray ray;
+        at.place = qv_place_of(buffer, &at.moment, rect, (unsigned)(y - rect->top));
         for (int32_t x = rect->left; x < rect->right; x++) {
-            qv_fragment fragment = {{0, 0, 0}, 0};
+            qv_light light = {{0, 0, 0}, QV_CLEAR, 0, 0};
             int hits = next_ray(&ray, start, context, x, y, slice, x == rect->left);
-            if (!closed(&place, blend, context) &&
-                ((hits && see(&fragment, context, &ray, slice)) ||
-                 QV_FIELD(blend, kind) == QV_HAND_OUT))
-                qv_place_blend(&place, blend, &fragment, &moment);
-            qv_place_next(&place, blend, step);
+            if (!closed(&at, context)) {
+                if (hits)
+                    see(&light, context, &ray, slice);
+                put(&at, &light, context);
+            }
+            qv_place_next(&at.place, at.blend, qv_dither_step(at.moment.spread));
         }
     }
     return qv_pages_status(&context->scene.volume);

@@ -20,8 +20,8 @@ static void print_scenes(void)
 int main(int argc, char **argv)
 {
     static void (*const parts[])(const char *folder) = {
-        part_model,  part_bits,  part_steps,   part_fogs,  part_slices,
-        part_budget, part_paper, part_storage, part_goals, part_modes,
+        part_model, part_bits,    part_steps,  part_fogs,  part_slices, part_budget,
+        part_paper, part_storage, part_mapper, part_goals, part_modes,
     };
     paper_require(argc == 2, "usage: pictures FOLDER");
     print_scenes();

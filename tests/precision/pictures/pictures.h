@@ -175,6 +175,7 @@ void part_slices(const char *folder);
 void part_budget(const char *folder);
 void part_paper(const char *folder);
 void part_storage(const char *folder);
+void part_mapper(const char *folder);
 void part_goals(const char *folder);
 void part_modes(const char *folder);
 

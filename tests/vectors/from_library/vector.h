@@ -65,6 +65,7 @@ typedef struct vector_stage {
     uint64_t seed;
     unsigned random_rows; /* of the committed set */
     void (*edges)(vector_set *set);
+    void (*added)(vector_set *set); /* rows that came later, after the random ones; or null */
     void (*draw)(void *row, vector_random *random); /* random inputs; the rest is 0 */
     unsigned (*compute)(void *row); /* mids and outs from inputs; returns flags that it saw */
 } vector_stage;
@@ -105,7 +106,11 @@ struct vector_set {
 /* Computes a row of these inputs and appends it. */
 void vector_add(vector_set *set, const void *inputs, unsigned flags);
 
-/* All rows of a stage: edges, random ones; then more random ones up to `wanted` rows. */
+/* The same of rows of which the first column alone is an input. */
+void vector_add_firsts(vector_set *set, const uint64_t *firsts, unsigned count);
+
+/* All rows of a stage: edges, random ones, those that were added; then more random ones up to
+   `wanted` rows. */
 void vector_set_make(vector_set *set, const vector_stage *stage, unsigned wanted);
 void vector_set_free(vector_set *set);
 
