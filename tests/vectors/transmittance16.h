@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* clang-format off */
-#define QVOL_TRANSMITTANCE16_VECTORS 659 /* specification 1 */
+#define QVOL_TRANSMITTANCE16_VECTORS 665 /* specification 1 */
 
 typedef struct qvol_transmittance16_vector {
     uint32_t x; /* in, u32.24 */
@@ -678,6 +678,12 @@ static const qvol_transmittance16_vector qvol_transmittance16_vectors[] = {
     {5635955u, 0u, 11141261u, 3384393094u, 32803u, 51922u, 13613u},
     {192264877u, 11u, 9061715u, 3103502151u, 37204u, 23u, 65512u},
     {4294967293u, 255u, 3u, 2147483648u, 0u, 0u, 65535u},
+    {262350u, 0u, 16514866u, 4202935003u, 65484u, 64829u, 706u},
+    {262353u, 0u, 16514863u, 4202935003u, 65483u, 64829u, 706u},
+    {262723u, 0u, 16514493u, 4202935003u, 65391u, 64828u, 707u},
+    {262726u, 0u, 16514490u, 4202935003u, 65390u, 64828u, 707u},
+    {263097u, 0u, 16514119u, 4202935003u, 65297u, 64827u, 708u},
+    {263100u, 0u, 16514116u, 4202935003u, 65297u, 64827u, 708u},
 };
 
 #endif

@@ -121,6 +121,16 @@ static void transmittance16_edges(vector_set *set)
     vector_add(set, &most, VECTOR_EDGE);
 }
 
+/* Where the entry's rounding to 16 bits decides the result. */
+static void transmittance16_bases(vector_set *set)
+{
+    static const uint32_t depths[] = {0x400CE, 0x400D1, 0x40243, 0x40246, 0x403B9, 0x403BC};
+    for (unsigned i = 0; i < sizeof depths / sizeof depths[0]; i++) {
+        const transmittance16_row row = {.x = depths[i]};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field transmittance16_fields[] = {
     {"x", 1, 'i', "u32.24", "depth in base 2"},
     {"w", 1, 'm', "u8", "floor(x / 2^24)"},
@@ -148,4 +158,5 @@ const vector_stage stage_transmittance16 = {
     .edges = transmittance16_edges,
     .draw = transmittance16_draw,
     .compute = transmittance16_compute,
+    .later = transmittance16_bases,
 };

@@ -239,6 +239,33 @@ static void phi_edges(vector_set *set)
     }
 }
 
+static uint64_t phi_of(uint64_t x)
+{
+    phi_row row = {.x = x};
+    (void)phi_compute(&row);
+    return row.phi;
+}
+
+/* The two neighbouring depths at a segment's start between which phi changes first: there the
+   last bit of each of the segment's entries decides. */
+static void phi_steps(vector_set *set)
+{
+    for (uint64_t octave = 0; octave < 8; octave++)
+        for (uint64_t eighth = 0; eighth < 8; eighth++) {
+            uint64_t width = (uint64_t)1 << (octave == 0 ? 30 : 29 + octave);
+            uint64_t first = (octave == 0 ? 0 : (uint64_t)1 << (32 + octave)) + eighth * width;
+            uint64_t last = first + width / 2;
+            const uint64_t start = phi_of(first);
+            while (last - first > 1) {
+                uint64_t middle = first + (last - first) / 2;
+                *(phi_of(middle) == start ? &first : &last) = middle;
+            }
+            const phi_row rows[2] = {{.x = first}, {.x = last}};
+            vector_add(set, &rows[0], VECTOR_EDGE);
+            vector_add(set, &rows[1], VECTOR_EDGE);
+        }
+}
+
 static const vector_field phi_fields[] = {{"x", 1, 'i', "u64.32", "depth in base 2"},
                                           {"phi", 1, 'o', "u32.31", "phi(x) of section 29"},
                                           {NULL, 0, 0, NULL, NULL}};
@@ -256,6 +283,7 @@ const vector_stage stage_phi = {
     .edges = phi_edges,
     .draw = phi_draw,
     .compute = phi_compute,
+    .later = phi_steps,
 };
 
 /* ---- Correction ------------------------------------------------------------- */

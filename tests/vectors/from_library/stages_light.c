@@ -450,6 +450,16 @@ static void pixel_edges(vector_set *set)
     }
 }
 
+/* Sums of grey whose lowest bits are the last that are cut, and the first that carry. */
+static void pixel_greys(vector_set *set)
+{
+    static const uint64_t blue[] = {75, 128}; /* 29 * blue mod 256 is 127, 128 */
+    for (unsigned i = 0; i < sizeof blue / sizeof blue[0]; i++) {
+        const pixel_row row = {.channel = {0, 0, blue[i], QV_LEVEL_ONE}};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field pixel_fields[] = {
     {"channel", 4, 'i', "u24.16", "channel [i]: levels, at most 16711680"},
     {"x", 1, 'i', "s16", "absolute column"},
@@ -481,4 +491,5 @@ const vector_stage stage_pixel = {
     .edges = pixel_edges,
     .draw = pixel_draw,
     .compute = pixel_compute,
+    .later = pixel_greys,
 };

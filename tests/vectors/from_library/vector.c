@@ -197,6 +197,8 @@ void vector_set_make(vector_set *set, const vector_stage *stage, unsigned wanted
         add_random(set, &random);
     if (stage->added != NULL)
         stage->added(set);
+    if (stage->later != NULL)
+        stage->later(set);
     while (stage->draw != NULL && set->count < wanted)
         add_random(set, &random);
 }

@@ -68,6 +68,7 @@ typedef struct vector_stage {
     void (*added)(vector_set *set); /* rows that came later, after the random ones; or null */
     void (*draw)(void *row, vector_random *random); /* random inputs; the rest is 0 */
     unsigned (*compute)(void *row); /* mids and outs from inputs; returns flags that it saw */
+    void (*later)(vector_set *set); /* or null: rows that came to the set when it was declared */
 } vector_stage;
 
 /* All stages, up to a null pointer. */
