@@ -451,7 +451,7 @@ static void pixel_edges(vector_set *set)
 }
 
 /* Sums of grey whose lowest bits are the last that are cut, and the first that carry. */
-static void pixel_greys(vector_set *set)
+static void pixel_added(vector_set *set)
 {
     static const uint64_t blue[] = {75, 128}; /* 29 * blue mod 256 is 127, 128 */
     for (unsigned i = 0; i < sizeof blue / sizeof blue[0]; i++) {
@@ -489,7 +489,7 @@ const vector_stage stage_pixel = {
     .seed = 17,
     .random_rows = 300,
     .edges = pixel_edges,
+    .added = pixel_added,
     .draw = pixel_draw,
     .compute = pixel_compute,
-    .later = pixel_greys,
 };

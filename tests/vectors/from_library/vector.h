@@ -68,7 +68,6 @@ typedef struct vector_stage {
     void (*added)(vector_set *set); /* rows that came later, after the random ones; or null */
     void (*draw)(void *row, vector_random *random); /* random inputs; the rest is 0 */
     unsigned (*compute)(void *row); /* mids and outs from inputs; returns flags that it saw */
-    void (*later)(vector_set *set); /* or null: rows that came to the set when it was declared */
 } vector_stage;
 
 /* All stages, up to a null pointer. */
@@ -106,6 +105,9 @@ struct vector_set {
 
 /* Computes a row of these inputs and appends it. */
 void vector_add(vector_set *set, const void *inputs, unsigned flags);
+
+/* The same of rows of which the first column alone is an input. */
+void vector_add_firsts(vector_set *set, const uint64_t *firsts, unsigned count);
 
 /* All rows of a stage: edges, random ones, those that were added; then more random ones up to
    `wanted` rows. */
