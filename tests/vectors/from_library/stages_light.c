@@ -450,12 +450,13 @@ static void pixel_edges(vector_set *set)
     }
 }
 
-/* Sums of grey whose lowest bits are the last that are cut, and the first that carry. */
+/* Greys on both sides of a half: 77 R + 150 G + 29 B is 256 * 32768 - 129 and one more. */
 static void pixel_added(vector_set *set)
 {
-    static const uint64_t blue[] = {75, 128}; /* 29 * blue mod 256 is 127, 128 */
-    for (unsigned i = 0; i < sizeof blue / sizeof blue[0]; i++) {
-        const pixel_row row = {.channel = {0, 0, blue[i], QV_LEVEL_ONE}};
+    static const uint64_t colours[][3] = {{0, 11, 289201}, {0, 17, 289170}};
+    for (unsigned i = 0; i < sizeof colours / sizeof colours[0]; i++) {
+        const pixel_row row = {
+            .channel = {colours[i][0], colours[i][1], colours[i][2], QV_LEVEL_ONE}};
         vector_add(set, &row, VECTOR_EDGE);
     }
 }
