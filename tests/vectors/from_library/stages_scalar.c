@@ -373,6 +373,43 @@ static void shade_edges(vector_set *set)
     }
 }
 
+/* Found by search: here a product that is cut, and not rounded, shows. */
+static void add_rounded_shades(vector_set *set)
+{
+    static const shade_row rows[] = {{.d = {41, 187, -171},
+                                      .light = {479, -377, 388},
+                                      .viewer = {242, 353, 47},
+                                      .ambient = 173,
+                                      .diffuse = 153,
+                                      .specular = 167,
+                                      .gloss = 1,
+                                      .colour = {24260, 1913, 41783}},
+                                     {.d = {-83, 210, 31},
+                                      .light = {153, -250, 124},
+                                      .viewer = {318, 209, -81},
+                                      .ambient = 169,
+                                      .diffuse = 153,
+                                      .specular = 242,
+                                      .gloss = 4,
+                                      .colour = {21881, 48019, 30244}},
+                                     {.d = {179, 161, 41},
+                                      .light = {-453, -322, 261},
+                                      .viewer = {-321, 97, 101},
+                                      .ambient = 65,
+                                      .diffuse = 174,
+                                      .specular = 244,
+                                      .gloss = 4,
+                                      .colour = {50015, 44825, 25607}}};
+    static const uint64_t spacing[3] = {65536, 98304, 43691};
+    for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        shade_row row = rows[i];
+        row.window = 1000;
+        for (unsigned axis = 0; axis < 3; axis++)
+            row.spacing[axis] = spacing[axis];
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 /* A viewer almost opposite to the light: from some angle on there is a highlight. */
 static void shade_added(vector_set *set)
 {
@@ -390,6 +427,7 @@ static void shade_added(vector_set *set)
                                .colour = {1000, 2000, 3000}};
         vector_add(set, &row, VECTOR_EDGE);
     }
+    add_rounded_shades(set);
 }
 
 static const vector_field shade_fields[] = {
