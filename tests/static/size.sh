@@ -15,6 +15,10 @@ CONTEXT=256
 STACK_32=512
 STACK_AVR=384
 
+# Programs whose deepest call keeps within that on 32 bits, but for marches in vectors. What does
+# not is a slice of what weighs by length, and a ray through B-splines that is not of plain voxels.
+WITHIN_STACK="minimal perspective rays extinction dithering pyramid freevoxels"
+
 compared() { # compared TARGET: today's lines beside the table's
     awk -v target="$1" '
         BEGIN { split("code tables .data .bss context scratch stack seen", name) }
@@ -79,6 +83,13 @@ for target in $(cut -d ' ' -f 1 "$work/lines" | uniq); do
     *) stack=$STACK_32 ;;
     esac
     limit "$target" minimal $CONTEXT $KEPT context
+    for program in $WITHIN_STACK; do
+        case $target in
+        avr | cortex-m55) goal "$target" "$program" "$stack" $STACK stack ;;
+        *) limit "$target" "$program" "$stack" $STACK stack ;;
+        esac
+    done
+    goal "$target" everything "$stack" $STACK stack
     goal "$target" library "$stack" $STACK stack
 done
 limit cortex-m0 minimal $MINIMAL_M0 $FLASH flash
