@@ -15,8 +15,9 @@ CONTEXT=256
 STACK_32=512
 STACK_AVR=384
 
-# Programs whose deepest call keeps within that on 32 bits, but for marches in vectors. What does
-# not is a slice of what weighs by length, and a ray through B-splines that is not of plain voxels.
+# Programs whose deepest call keeps within that on 32 bits, but for marches in vectors, which have
+# four samples at hand. What else does not
+# are slices of what weighs by length, and B-splines of converted opacity or through pages.
 WITHIN_STACK="minimal perspective rays extinction dithering pyramid freevoxels"
 
 compared() { # compared TARGET: today's lines beside the table's
@@ -84,8 +85,8 @@ for target in $(cut -d ' ' -f 1 "$work/lines" | uniq); do
     esac
     limit "$target" minimal $CONTEXT $KEPT context
     for program in $WITHIN_STACK; do
-        case $target in
-        avr | cortex-m55) goal "$target" "$program" "$stack" $STACK stack ;;
+        case "$target $program" in
+        avr* | cortex-m55* | "powerpc pyramid") goal "$target" "$program" "$stack" $STACK stack ;;
         *) limit "$target" "$program" "$stack" $STACK stack ;;
         esac
     done
