@@ -5,7 +5,7 @@ set -eu
 . tests/tap
 build=${BUILD:-build}
 library=$build/cortex-m0/libqvol.a
-bytes=$build/cortex-m0/port/cortex-m/bytes.o
+bytes=$build/cortex-m0/port/bytes.o
 
 # links FUNCTION WANTED: "log", "exp", both or none.
 links() {

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* clang-format off */
-#define QVOL_ALPHA_VECTORS 562 /* specification 1 */
+#define QVOL_ALPHA_VECTORS 567 /* specification 1 */
 
 typedef struct qvol_alpha_vector {
     uint32_t o; /* in, u32.16 */
@@ -588,6 +588,11 @@ static const qvol_alpha_vector qvol_alpha_vectors[] = {
     {700353u, 35u, {49152u, 98304u}, 255u, 6u, 1295267434u, 89u, 142u, 11u, 8u, 8u, 8u, 8u, 11u},
     {224092u, 44u, {98304u, 1048576u}, 134u, 21u, 2500368952u, 74u, 48u, 3u, 6u, 5u, 6u, 5u, 3u},
     {65533u, 38u, {65536u, 65536u}, 14u, 12u, 3999976074u, 3u, 122u, 1u, 1u, 1u, 1u, 1u, 2u},
+    {831295u, 2u, {65536u, 65536u}, 255u, 0u, 531830313u, 210u, 161u, 13u, 12u, 13u, 12u, 12u, 14u},
+    {937379u, 3u, {65536u, 65536u}, 255u, 0u, 3554610623u, 75u, 248u, 14u, 14u, 14u, 14u, 14u, 15u},
+    {828484u, 4u, {65536u, 65536u}, 255u, 0u, 179229414u, 20u, 12u, 13u, 12u, 13u, 12u, 13u, 16u},
+    {887328u, 5u, {65536u, 65536u}, 255u, 0u, 3993653783u, 134u, 52u, 14u, 13u, 13u, 13u, 13u, 13u},
+    {12379943u, 6u, {65536u, 65536u}, 255u, 0u, 3883510685u, 140u, 139u, 189u, 188u, 188u, 188u, 188u, 127u},
 };
 
 #endif

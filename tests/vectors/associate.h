@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* clang-format off */
-#define QVOL_ASSOCIATE_VECTORS 265 /* specification 1 */
+#define QVOL_ASSOCIATE_VECTORS 271 /* specification 1 */
 
 typedef struct qvol_associate_vector {
     uint8_t wide; /* in, u1 */
@@ -283,6 +283,12 @@ static const qvol_associate_vector qvol_associate_vectors[] = {
     {1u, {65533u, 4096u, 0u, 14001u}, 54u, 3u, 0u, 54u},
     {1u, {1u, 13u, 257u, 65173u}, 0u, 0u, 1u, 254u},
     {1u, {22895u, 17885u, 1u, 45498u}, 62u, 48u, 0u, 177u},
+    {1u, {65096u, 65096u, 1u, 55757u}, 215u, 215u, 0u, 217u},
+    {1u, {60167u, 60167u, 1u, 55286u}, 197u, 197u, 0u, 215u},
+    {1u, {57938u, 57938u, 1u, 51599u}, 177u, 177u, 0u, 201u},
+    {1u, {62981u, 62981u, 1u, 62443u}, 234u, 234u, 0u, 243u},
+    {1u, {62606u, 62606u, 1u, 62548u}, 233u, 233u, 0u, 243u},
+    {1u, {58384u, 58384u, 1u, 55532u}, 193u, 193u, 0u, 216u},
 };
 
 #endif

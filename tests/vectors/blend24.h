@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* clang-format off */
-#define QVOL_BLEND24_VECTORS 340 /* specification 1 */
+#define QVOL_BLEND24_VECTORS 345 /* specification 1 */
 
 typedef struct qvol_blend24_vector {
     uint32_t state; /* in, u24.16 */
@@ -358,6 +358,11 @@ static const qvol_blend24_vector qvol_blend24_vectors[] = {
     {213751u, 8600859u, 2201819824u, 10u, 26667855u, 171365u},
     {16383u, 0u, 46u, 4294967294u, 4194048u, 16383u},
     {23447u, 0u, 1u, 4294967293u, 6002432u, 23447u},
+    {4178544u, 435845513u, 1957481601u, 1063078446u, 582175662u, 5679167u},
+    {4689305u, 7718879u, 52000871u, 2287065962u, 1185927610u, 4692833u},
+    {11652300u, 319526u, 1319333u, 281038756u, 2982072482u, 11651216u},
+    {16553398u, 1109837717u, 2667778926u, 3462049020u, 1605480713u, 14942016u},
+    {9789937u, 7543104u, 16504570u, 4213109029u, 2496593031u, 9811248u},
 };
 
 #endif

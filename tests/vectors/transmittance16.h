@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* clang-format off */
-#define QVOL_TRANSMITTANCE16_VECTORS 659 /* specification 1 */
+#define QVOL_TRANSMITTANCE16_VECTORS 665 /* specification 1 */
 
 typedef struct qvol_transmittance16_vector {
     uint32_t x; /* in, u32.24 */
@@ -678,6 +678,12 @@ static const qvol_transmittance16_vector qvol_transmittance16_vectors[] = {
     {5635955u, 0u, 11141261u, 3384393094u, 32803u, 51922u, 13613u},
     {192264877u, 11u, 9061715u, 3103502151u, 37204u, 23u, 65512u},
     {4294967293u, 255u, 3u, 2147483648u, 0u, 0u, 65535u},
+    {32564808u, 1u, 989624u, 2218404036u, 50798u, 17068u, 48467u},
+    {11540331u, 0u, 5236885u, 2638141863u, 64037u, 40682u, 24853u},
+    {18718943u, 1u, 14835489u, 3938502376u, 38856u, 30241u, 35294u},
+    {1251925u, 0u, 15525291u, 4068570940u, 14698u, 62232u, 3303u},
+    {32323512u, 1u, 1230920u, 2242560872u, 45586u, 17238u, 48297u},
+    {60686863u, 3u, 6422001u, 2784941738u, 32636u, 5341u, 60194u},
 };
 
 #endif

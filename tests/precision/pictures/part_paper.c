@@ -4,6 +4,7 @@
  */
 #include "pictures.h"
 
+#include "papers/associated.h"
 #include "papers/boxes.h"
 
 #include <math.h>
@@ -135,30 +136,6 @@ static void section_5(const char *folder)
 
 /* ---- Section 7: what weighting in 8 bits loses ------------------------------------------ */
 
-/* Every colour of 8 bits at an opacity, weighted by the library and divided again. */
-typedef struct divided {
-    double worst; /* levels of the colour */
-    unsigned distinct;
-} divided;
-
-static divided divide_all(unsigned opacity)
-{
-    uint8_t colours[256][4], associated[256][4];
-    divided found = {0};
-    for (unsigned c = 0; c < 256; c++) {
-        colours[c][0] = colours[c][1] = colours[c][2] = (uint8_t)c;
-        colours[c][3] = (uint8_t)opacity;
-    }
-    const qv_entries from = {.entries = colours[0], .count = 256, .storage = QV_STORAGE_RGBA8};
-    paper_require(qv_opacity_to_associated(associated, sizeof associated, &from) == QV_OK,
-                  "cannot weight colours");
-    for (unsigned c = 0; c < 256; c++) {
-        found.worst = fmax(found.worst, fabs(associated[c][0] * 255.0 / opacity - c));
-        found.distinct += c == 0 || associated[c][0] != associated[c - 1][0];
-    }
-    return found;
-}
-
 /* The error of a picture's colours divided by its opacity, where it has any. */
 static double rms_of_colours(const paper_picture *got, const paper_picture *truth)
 {
@@ -187,7 +164,7 @@ static void make_fog(picture_scene *made, unsigned opacity)
 
 static bool add_opacity(table *t, unsigned opacity)
 {
-    const divided voxel = divide_all(opacity);
+    const associated_colours voxel = associate_colours(opacity);
     picture_scene scene;
     paper_picture truth, weighted, preweighted;
     make_fog(&scene, opacity);
@@ -196,7 +173,7 @@ static bool add_opacity(table *t, unsigned opacity)
     ours_picture(&preweighted, &scene, &associated8);
     table_number(t, "%.0f", opacity);
     table_number(t, "%.2f", 127.5 / opacity);
-    table_number(t, "%.2f", voxel.worst);
+    table_number(t, "%.2f", voxel.off);
     table_number(t, "%.0f", voxel.distinct);
     table_number(t, "%.2g", rms_of_colours(&weighted, &truth));
     table_number(t, "%.3g", rms_of_colours(&preweighted, &truth));
@@ -204,7 +181,7 @@ static bool add_opacity(table *t, unsigned opacity)
     paper_picture_free(&weighted);
     paper_picture_free(&preweighted);
     picture_scene_free(&scene);
-    return voxel.worst <= 127.5 / opacity && voxel.distinct == opacity + 1;
+    return voxel.off <= 127.5 / opacity && voxel.distinct == opacity + 1;
 }
 
 static void section_7(const char *folder)

@@ -62,7 +62,7 @@ static double dithered_error(const uint64_t input[], unsigned fraction)
     const uint32_t opacity = (uint32_t)input[OPACITY];
     const uint32_t light = fx_light_of_colour((uint32_t)input[COLOUR], opacity);
     if (input[STATE] > 255u << fraction)
-        return NAN;
+        return NO_SUCH_INPUT;
     return fx_blend_dithered((uint32_t)input[STATE], light, opacity, (uint32_t)input[DITHER],
                              fraction) -
            exact_blend((double)input[STATE], ldexp((double)input[COLOUR], (int)fraction),
@@ -89,7 +89,7 @@ static double rounded_error(const uint64_t input[], unsigned unused)
     const uint32_t light = fx_light_of_colour32((uint32_t)input[COLOUR], opacity);
     (void)unused;
     if (input[STATE] > 255u << 16)
-        return NAN;
+        return NO_SUCH_INPUT;
     return fx_blend_8_16((uint32_t)input[STATE], light, opacity, FX_NO_DITHER) -
            exact_blend((double)input[STATE], ldexp((double)input[COLOUR], 16),
                        opacity == UINT32_MAX ? 1 : ldexp(opacity, -32));

@@ -118,7 +118,7 @@ static void try_sample(greedy *g, const ray *from, uint32_t light, uint32_t opac
 static void grow(greedy *g, ray *r)
 {
     const uint32_t met = g->by->is_under ? met_by_light(r) : r->light.colour[0];
-    g->most = -INFINITY;
+    g->most = -(double)INFINITY;
     for (unsigned k = 0; k < 4 * HALVES * HALVES; k++) {
         const unsigned i = k / 4 % HALVES, j = k / 4 / HALVES;
         const uint32_t opacity = near_half(k % 8 < 4 ? r->light.transmittance : met, i, k & 1);
@@ -229,6 +229,10 @@ static const stage stages[] = {
 
 const chapter chapter_composite = {
     "Compositing of n samples (SPEC 14)",
+    "RMS is that of 400 random rays. The worst were grown greedily: of some hundred samples whose\n"
+    "products lie just beside k + 1/2 each takes that after which light and transmittance are\n"
+    "farthest off to one side; front to back an opaque white sample ends the ray, which turns the\n"
+    "error of transmittance into light.\n\n"
     "**Transmittance.** A sample multiplies the error so far by at most 1 and rounds by at most\n"
     "1/2: after n samples at most n / 2 of 2^-31.\n\n"
     "**Front to back.** Light and transmittance share what there is: what a sample takes from an\n"

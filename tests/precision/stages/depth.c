@@ -56,7 +56,7 @@ static double log_error(const uint64_t t[], unsigned unused)
 {
     (void)unused;
     if (t[0] == 0)
-        return NAN;
+        return NO_SUCH_INPUT;
     const long double exact = -log2l((long double)t[0] / UINT32_MAX);
     return (double)ldexpl(depth_of(fx_depth_of_transmittance((uint32_t)t[0])) - exact, 28);
 }

@@ -72,7 +72,7 @@ static double colour_error(const uint64_t input[], unsigned unused)
         weighted += input[OPACITY + i] * input[COLOUR + i];
     }
     if (sum == 0)
-        return NAN;
+        return NO_SUCH_INPUT;
     return mean[0] - (double)weighted / (double)sum;
 }
 

@@ -24,7 +24,7 @@ static double index_error(const uint64_t input[], unsigned unused)
     uint8_t index;
     (void)unused;
     if (scalar < low || scalar > low + window)
-        return NAN;
+        return NO_SUCH_INPUT;
     memset(&c, 0, sizeof c);
     c.scalars.values = (qv_address)&scalar;
     c.scalars.values_bytes = sizeof scalar;
@@ -36,7 +36,7 @@ static double index_error(const uint64_t input[], unsigned unused)
     c.low = low;
     c.high = low + window;
     if (qv_classify(&index, sizeof index, QV_STORAGE_INDEXED8, &c, &all) != QV_OK)
-        return INFINITY;
+        return (double)INFINITY;
     return index - 255. * (scalar - low) / window;
 }
 
@@ -48,7 +48,7 @@ static double table_error(const uint64_t input[], unsigned unused)
     qv_control_point points[2];
     (void)unused;
     if (t >= n)
-        return NAN;
+        return NO_SUCH_INPUT;
     memset(points, 0, sizeof points);
     points[1].index = (uint8_t)n;
     points[0].rgba[0] = (uint16_t)input[0];
@@ -107,7 +107,7 @@ static double normal_error(const uint64_t input[], unsigned unused)
         square += along[axis] * along[axis];
     }
     if (square <= 0)
-        return NAN;
+        return NO_SUCH_INPUT;
     qv_unit_vector(unit, v, scales);
     for (unsigned axis = 0; axis < 3; axis++)
         worst = fmaxl(worst, fabsl(unit[axis] - ldexpl(along[axis] / sqrtl(square), 30)));
@@ -192,8 +192,8 @@ static const stage stages[] = {
      "all 65536", measure_to_extinction, 0, NULL},
     {"opacity from extinction of 17", "unorm16 to unorm16", "exp; to nearest", "1/65535", .5001, 2,
      "all 65536", measure_to_opacity, 16, NULL},
-    {"the same to 8 bits", "unorm16 to unorm8", "exp; to nearest, twice", "1/255", .502, 2,
-     "all 65536", measure_to_opacity, 8, NULL},
+    {"8-bit opacity from extinction of 17", "unorm16 to unorm8", "exp; to nearest, twice", "1/255",
+     .502, 2, "all 65536", measure_to_opacity, 8, NULL},
 };
 
 const chapter chapter_entries = {

@@ -60,7 +60,7 @@ static double light_error(const uint64_t opacity[], unsigned parts)
 {
     uint32_t light[3];
     if (opacity[0] < LEAST_BRIGHT)
-        return NAN;
+        return NO_SUCH_INPUT;
     (void)correct(light, (uint32_t)opacity[0], parts);
     const uint32_t q32 = q32_of(opacity[0]);
     const long double exact = corrected(q32, parts) / q32 * UINT32_MAX * opacity[0];

@@ -31,10 +31,10 @@ static const struct {
 
 static double read_out_error(const uint64_t light[], unsigned storage)
 {
-    const long double half = storages[storage].unit / 2;
+    const long double half = (long double)storages[storage].unit / 2;
     const uint32_t found = fx_high_product((uint32_t)light[0], storages[storage].read_out);
     if ((long double)light[0] > half)
-        return NAN;
+        return NO_SUCH_INPUT;
     return (double)(found - light[0] / half * LEVEL_ONE);
 }
 

@@ -102,7 +102,7 @@ static double light_error(const uint64_t input[], unsigned n, void (*composite)(
     double sample[2];
     sample_of(sample, input);
     if (sample[0] <= 0)
-        return NAN;
+        return NO_SUCH_INPUT;
     begin(&passage, &made, input, n);
     composite(&passage);
     const double exact = 255 * sample[1] * (1 - left(sample[0], n)) / sample[0];

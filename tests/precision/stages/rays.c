@@ -34,7 +34,7 @@ static double root_error(const uint64_t n[], unsigned unused)
     unsigned exponent;
     (void)unused;
     if (n[0] == 0)
-        return NAN;
+        return NO_SUCH_INPUT;
     const uint32_t root = fx_rsqrt(n[0], &exponent);
     const long double found = ldexpl(root, -30 - (int)exponent);
     return (double)ldexpl(found * sqrtl((long double)n[0]) - 1, 30);
@@ -166,7 +166,7 @@ static double direction_error(const uint64_t input[], unsigned unused)
     long double found[3], exact[3], worst = 0;
     (void)unused;
     if (!directions(found, exact, input))
-        return NAN;
+        return NO_SUCH_INPUT;
     for (unsigned axis = 0; axis < 3; axis++)
         worst = fmaxl(worst, fabsl(found[axis] - exact[axis]));
     return (double)worst;

@@ -86,7 +86,7 @@ static double opacity_error(const uint64_t input[], unsigned storage)
     qv_sample sample;
     long double mean[3];
     if (!interpolate(&sample, input, storage, QV_BY_SHARE))
-        return NAN;
+        return NO_SUCH_INPUT;
     true_means(mean, input, storage);
     return (double)(fx_share_bits(sample.opacity) / 65536.L - mean[0]);
 }
@@ -103,7 +103,7 @@ static double weighted_error(const uint64_t input[], unsigned storage)
     qv_sample sample;
     long double mean[3];
     if (!interpolate(&sample, input, storage, QV_BY_SHARE))
-        return NAN;
+        return NO_SUCH_INPUT;
     true_means(mean, input, storage);
     return (double)(light_of(&sample, storage) - mean[2]);
 }
@@ -113,7 +113,7 @@ static double separate_error(const uint64_t input[], unsigned storage)
     qv_sample sample;
     long double mean[3];
     if (!interpolate(&sample, input, storage, QV_BY_WEIGHT))
-        return NAN;
+        return NO_SUCH_INPUT;
     true_means(mean, input, storage);
     return (double)(light_of(&sample, storage) - mean[0] * mean[1] / full_of(storage));
 }
@@ -129,10 +129,10 @@ static double position_error(const uint64_t input[], unsigned storage)
     for (unsigned axis = 0; axis < 3; axis++) {
         rounded[axis] = (input[axis] + 128) >> 8;
         if (rounded[axis] > 255)
-            return NAN;
+            return NO_SUCH_INPUT;
     }
     if (!interpolate(&sample, rounded, storage, QV_BY_SHARE))
-        return NAN;
+        return NO_SUCH_INPUT;
     for (unsigned q = 0; q < 8; q++) {
         long double weight = 1;
         for (unsigned axis = 0; axis < 3; axis++)
@@ -159,7 +159,7 @@ static double extinction_error(const uint64_t input[], unsigned storage, int of_
     fx_weight weight[8];
     long double sum = 0;
     if (!interpolate(&sample, input, storage, QV_BY_DENSITY))
-        return NAN;
+        return NO_SUCH_INPUT;
     make_cell(&made, input, storage);
     qv_weights(weight, made.fraction);
     for (unsigned q = 0; q < 8; q++)
@@ -256,7 +256,7 @@ static void measure_q32(measured *m, unsigned storage)
 
 static const stage stages[] = {
     {"opacity at a rounded position", "8 entries unorm8, position to u8.8", "position, to nearest",
-     "1/255", 1.502, 2, IN, measure_position, QV_STORAGE_RGBA8, NULL},
+     "1/255", 1.502, 2, "search, f in 2^-16", measure_position, QV_STORAGE_RGBA8, NULL},
     {"opacity, 8 bits", FORMATS8, "none but the weights'", "1/255", .0078, 2, IN, measure_opacity,
      QV_STORAGE_RGBA8, NULL},
     {"opacity, 16 bits", FORMATS16, "none but the weights'", "1/65535", 2, 2, IN, measure_opacity,

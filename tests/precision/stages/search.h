@@ -12,7 +12,9 @@
 
 #define SEARCH_NUMBERS 24
 
-/* The error for an input, or NaN where the stage has none such. */
+#define NO_SUCH_INPUT ((double)NAN)
+
+/* The error for an input, or NO_SUCH_INPUT. */
 typedef double search_error(const uint64_t input[], unsigned parameter);
 
 /* Writes the input of the worst error, as measured_input does. */

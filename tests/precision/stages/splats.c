@@ -69,7 +69,7 @@ static double path_error(const uint64_t input[], unsigned voxels)
     make_path(&made, input, voxels);
     if (qv_attenuate(made.byte, voxels, NULL, &made.attenuation, &made.volume,
                      &qv_domain_extinction, AHEAD) != QV_OK)
-        return INFINITY;
+        return (double)INFINITY;
     for (unsigned i = 1; i < voxels; i++)
         sum -= log1pl(-(long double)made.entry[i][3] / 65535);
     return (double)(made.byte[0] - 255 * expl(-sum));

@@ -35,7 +35,7 @@ static inline int measured_is_worse(measured *m, double error)
 /* The same, and the error counts for the RMS. */
 static inline int measured_add(measured *m, double error)
 {
-    m->squares += (long double)error * error;
+    m->squares += (long double)(error * error);
     m->count++;
     return measured_is_worse(m, error);
 }

@@ -66,6 +66,9 @@ extern const vector_stage stage_pixel_blend, stage_pixel_show;
 /* stages_freevoxel.c */
 extern const vector_stage stage_order, stage_attenuation;
 
+/* stages_lamp.c */
+extern const vector_stage stage_attenuate, stage_lamp;
+
 /* stages_splat.c */
 extern const vector_stage stage_length, stage_scaled, stage_footprint, stage_splat_added,
     stage_splat_over;

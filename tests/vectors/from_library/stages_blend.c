@@ -267,6 +267,19 @@ static void blend24_edges(vector_set *set)
     }
 }
 
+/* Found by search: here a dither value's part that is off by 1 shows. */
+static void blend24_added(vector_set *set)
+{
+    static const blend24_row rows[] = {
+        {.state = 4178544, .light = 435845513, .o32 = 1957481601, .u = 1063078446},
+        {.state = 4689305, .light = 7718879, .o32 = 52000871, .u = 2287065962},
+        {.state = 11652300, .light = 319526, .o32 = 1319333, .u = 281038756},
+        {.state = 16553398, .light = 1109837717, .o32 = 2667778926, .u = 3462049020},
+        {.state = 9789937, .light = 7543104, .o32 = 16504570, .u = 4213109029}};
+    for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++)
+        vector_add(set, &rows[i], VECTOR_EDGE);
+}
+
 static const vector_field blend24_fields[] = {
     {"state", 1, 'i', "u24.16", "S, at most 16711680"},
     {"light", 1, 'i', "u32.23", "C"},
@@ -288,6 +301,7 @@ const vector_stage stage_blend24 = {
     .seed = 4824,
     .random_rows = 250,
     .edges = blend24_edges,
+    .added = blend24_added,
     .draw = blend24_draw,
     .compute = blend24_compute,
 };

@@ -275,6 +275,23 @@ static void alpha_edges(vector_set *set)
     }
 }
 
+/* Found by search: here corrected changes with a bound that is off by 1. */
+static void alpha_added(vector_set *set)
+{
+    static const alpha_row rows[] = {{.o = 831295, .v = 210, .colour = 161, .u = 531830313},
+                                     {.o = 937379, .v = 75, .colour = 248, .u = 3554610623},
+                                     {.o = 828484, .v = 20, .colour = 12, .u = 179229414},
+                                     {.o = 887328, .v = 134, .colour = 52, .u = 3993653783},
+                                     {.o = 12379943, .v = 140, .colour = 139, .u = 3883510685}};
+    for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        alpha_row row = rows[i];
+        row.period = 2 + i;
+        row.slope[0] = row.slope[1] = 65536;
+        row.cutoff = 255;
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field alpha_fields[] = {
     {"o", 1, 'i', "u32.16", "opacity, levels, at most 16711680"},
     {"period", 1, 'i', "u7", "P, 2 .. 64"},
@@ -303,6 +320,7 @@ const vector_stage stage_alpha = {
     .seed = 51,
     .random_rows = 400,
     .edges = alpha_edges,
+    .added = alpha_added,
     .draw = alpha_draw,
     .compute = alpha_compute,
 };

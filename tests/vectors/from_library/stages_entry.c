@@ -423,6 +423,18 @@ static void associate_edges(vector_set *set)
     }
 }
 
+/* Products that are the last to round down, 16842495 j + 8421247, or the first to round up. */
+static void associate_added(vector_set *set)
+{
+    static const uint64_t factors[][2] = {{65096, 55757}, {60167, 55286}, {57938, 51599},
+                                          {62981, 62443}, {62606, 62548}, {58384, 55532}};
+    for (unsigned i = 0; i < sizeof factors / sizeof factors[0]; i++) {
+        const associate_row row = {.wide = 1,
+                                   .rgba = {factors[i][0], factors[i][0], 1, factors[i][1]}};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field associate_fields[] = {
     {"wide", 1, 'i', "u1", "0 of rgba8, 1 of rgba16"},
     {"rgba", 4, 'i', "u16", "channel [i]"},
@@ -444,6 +456,7 @@ const vector_stage stage_associate = {
     .seed = 69,
     .random_rows = 150,
     .edges = associate_edges,
+    .added = associate_added,
     .draw = associate_draw,
     .compute = associate_compute,
 };

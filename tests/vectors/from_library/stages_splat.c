@@ -116,6 +116,15 @@ static void scaled_edges(vector_set *set)
     }
 }
 
+/* Shifts by 31, 32 and 33 bits, and to the left. */
+static void scaled_added(vector_set *set)
+{
+    for (int64_t shift = -1; shift < 35; shift++) {
+        const scaled_row row = {.v = 0x80000001, .w = 3, .fraction = -shift};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field scaled_fields[] = {
     {"v", 1, 'i', "u64", "any"},
     {"e", 1, 'i', "s16", "any"},
@@ -142,6 +151,7 @@ const vector_stage stage_scaled = {
     .seed = 6410,
     .random_rows = 250,
     .edges = scaled_edges,
+    .added = scaled_added,
     .draw = scaled_draw,
     .compute = scaled_compute,
 };

@@ -175,6 +175,18 @@ void vector_add(vector_set *set, const void *inputs, unsigned flags)
     set->count++;
 }
 
+void vector_add_firsts(vector_set *set, const uint64_t *firsts, unsigned count)
+{
+    uint64_t *row = calloc(set->stage->columns, sizeof *row);
+    if (row == NULL)
+        vector_fail(set->stage->name, "memory", "exhausted");
+    for (unsigned i = 0; i < count; i++) {
+        row[0] = firsts[i];
+        vector_add(set, row, VECTOR_EDGE);
+    }
+    free(row);
+}
+
 static void add_random(vector_set *set, vector_random *random)
 {
     uint64_t *row = calloc(set->stage->columns, sizeof *row);

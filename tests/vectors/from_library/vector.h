@@ -106,6 +106,9 @@ struct vector_set {
 /* Computes a row of these inputs and appends it. */
 void vector_add(vector_set *set, const void *inputs, unsigned flags);
 
+/* The same of rows of which the first column alone is an input. */
+void vector_add_firsts(vector_set *set, const uint64_t *firsts, unsigned count);
+
 /* All rows of a stage: edges, random ones, those that were added; then more random ones up to
    `wanted` rows. */
 void vector_set_make(vector_set *set, const vector_stage *stage, unsigned wanted);

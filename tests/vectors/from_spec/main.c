@@ -78,6 +78,8 @@ static const stage stages[] = {
     {"residual", stage_residual},
     {"replay", stage_replay},
     {"slice_dither", stage_slice_dither},
+    {"pixel_blend", stage_pixel_blend},
+    {"pixel_show", stage_pixel_show},
     {"order", stage_order},
     {"attenuation", stage_attenuation},
     {"length", stage_length},

@@ -46,6 +46,7 @@ stage_function stage_dither, stage_hits, stage_plateau, stage_alpha;
 stage_function stage_slices, stage_slice_dither, stage_light, stage_blend_plain;
 stage_function stage_blend_dithered, stage_blend24, stage_blend_front, stage_residual;
 stage_function stage_replay;
+stage_function stage_pixel_blend, stage_pixel_show;
 
 /* Part H. */
 stage_function stage_order, stage_attenuation, stage_length, stage_scaled;
