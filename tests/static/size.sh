@@ -16,8 +16,8 @@ STACK_32=512
 STACK_AVR=384
 
 # Programs whose deepest call keeps within that on 32 bits, but for marches in vectors, which have
-# four samples at hand. What else does not
-# are slices of what weighs by length, and B-splines of converted opacity or through pages.
+# four samples at hand. What else does not are slices of what weighs by length, and B-splines of
+# stored opacity or through pages.
 WITHIN_STACK="minimal perspective rays extinction dithering pyramid freevoxels"
 
 compared() { # compared TARGET: today's lines beside the table's
