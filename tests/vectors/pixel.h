@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* clang-format off */
-#define QVOL_PIXEL_VECTORS 620 /* specification 1 */
+#define QVOL_PIXEL_VECTORS 622 /* specification 1 */
 
 typedef struct qvol_pixel_vector {
     uint32_t channel[4]; /* in, u24.16 */
@@ -645,6 +645,8 @@ static const qvol_pixel_vector qvol_pixel_vectors[] = {
     {{76600u, 346185u, 492031u, 492981u}, 31948, -22089, 61u, 281621u, 17106952u, 134545672u, 66824u, 16648u, 2113u, 4u, 1u, 0u},
     {{0u, 123446u, 7u, 8388608u}, -3339, 13792, 34u, 72332u, 131200u, 131200u, 512u, 8192u, 32u, 1u, 0u, 0u},
     {{382u, 95759u, 16399u, 130046u}, -31281, -29333, 22u, 58081u, 65538u, 65538u, 256u, 0u, 0u, 1u, 0u, 0u},
+    {{0u, 11u, 289201u, 16711680u}, 0, 0, 0u, 32767u, 1279u, 67109119u, 4u, 0u, 0u, 0u, 0u, 0u},
+    {{0u, 17u, 289170u, 16711680u}, 0, 0, 0u, 32768u, 1279u, 67109119u, 4u, 0u, 0u, 1u, 0u, 0u},
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "fx_angle.h"
 #include "fx_root.h"
 #include "ray.h"
+#include "stretch.h"
 
 #include <string.h>
 
@@ -189,6 +190,45 @@ static void measure_direction(measured *m, unsigned parameter)
     search_worst(m, &s, parameter);
 }
 
+/* ---- Way through the box ------------------------------------------------------------------ */
+
+/* Where a ray along x leaves a box of 4096 voxels. Numbers: the place of sample 0, and how far the
+   advance is above its least. */
+enum { BOX = 4096, LEAST_ADVANCE = 1 << 24 };
+#define ADVANCE_MOST ((uint64_t)1 << 40)
+
+static double way_error(const uint64_t input[], unsigned unused)
+{
+    static qv_context context;
+    qv_ray ray;
+    const uint64_t advance = input[1] + LEAST_ADVANCE;
+    const long double way = (long double)((uint64_t)BOX << 32) - (long double)input[0];
+    const long double exact = ldexpl(way / (long double)advance, QV_STEP_BITS);
+    (void)unused;
+    memset(&ray, 0, sizeof ray);
+    for (unsigned axis = 0; axis < 3; axis++)
+        context.scene.volume.size[axis] = BOX;
+    ray.place[0] = (qv_coord)input[0];
+    ray.advance[0] = (qv_coord)advance;
+    ray.first = -QV_GRID_LIMIT;
+    qv_path_clip(&ray, &context);
+    return (double)((long double)ray.leave - exact);
+}
+
+static void tell_way(measured *m, const uint64_t input[], unsigned unused)
+{
+    (void)unused;
+    measured_input(m, "place 0x%llX, advance 0x%llX", (unsigned long long)input[0],
+                   (unsigned long long)input[1] + LEAST_ADVANCE);
+}
+
+static void measure_way(measured *m, unsigned parameter)
+{
+    static const search s = {
+        way_error, tell_way, 2, {((uint64_t)BOX << 32) - 1, ADVANCE_MOST - LEAST_ADVANCE}};
+    search_worst(m, &s, parameter);
+}
+
 /* ---- The chapter -------------------------------------------------------------------------- */
 
 static const stage stages[] = {
@@ -202,10 +242,12 @@ static const stage stages[] = {
      "search", measure_voxels, 0, NULL},
     {"direction of a ray", "3 s64.32 to 3 s32.30", "cut, root, product to nearest", "2^-30", 2.42,
      2, "search", measure_direction, 0, NULL},
+    {"way through the box", "2 s64.32 to s64.24", "quotient, cut to even", "2^-24 step", 2.02, 2,
+     "search", measure_way, 0, NULL},
 };
 
 const chapter chapter_rays = {
-    "Ray set-up (SPEC 2, 4 to 8)",
+    "Ray set-up (SPEC 2, 4 to 9, 37)",
     "**Sine.** In units of 2^-32: each of four steps rounds a coefficient and a product, 1/2 "
     "each,\n"
     "and the first coefficient stands for one more term, within .6: 5.2, and 1/2 for the product\n"

@@ -450,6 +450,17 @@ static void pixel_edges(vector_set *set)
     }
 }
 
+/* Greys on both sides of a half: 77 R + 150 G + 29 B is 256 * 32768 - 129 and one more. */
+static void pixel_added(vector_set *set)
+{
+    static const uint64_t colours[][3] = {{0, 11, 289201}, {0, 17, 289170}};
+    for (unsigned i = 0; i < sizeof colours / sizeof colours[0]; i++) {
+        const pixel_row row = {
+            .channel = {colours[i][0], colours[i][1], colours[i][2], QV_LEVEL_ONE}};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field pixel_fields[] = {
     {"channel", 4, 'i', "u24.16", "channel [i]: levels, at most 16711680"},
     {"x", 1, 'i', "s16", "absolute column"},
@@ -479,6 +490,7 @@ const vector_stage stage_pixel = {
     .seed = 17,
     .random_rows = 300,
     .edges = pixel_edges,
+    .added = pixel_added,
     .draw = pixel_draw,
     .compute = pixel_compute,
 };
