@@ -54,8 +54,8 @@ in_table() {
     awk 'NR == FNR { count[$1, $2, $3] = $4; next }
         $2 == "float" || $4 != "inside" { next }
         { rows++; told = count[$1, $2, $3] + 0; off = told > $5 ? told - $5 : $5 - told }
-        off > .05 * $5 { print "table", told ", counted", $0; bad = 1 }
+        off > .1 * $5 { print "table", told ", counted", $0; bad = 1 }
         END { exit bad || rows < 100 }' "$work/advise" "$work/lines"
 }
-check "the table of qvol advise has these counts within 5 % (make advise writes it)" in_table
+check "the table of qvol advise has these counts within 10 % (make advise writes it)" in_table
 finish
