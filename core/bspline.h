@@ -113,6 +113,7 @@ FX_INLINE void qv_add_rows(qv_sample *sum, const qv_triple triple[3], const qv_v
         for (unsigned j = 0; j < 3; j++) {
             qv_address at = qv_row(triple, j, k, volume);
             qv_part(voxel, row[j], &triple[0]);
+            FX_UNROLL
             for (unsigned i = 0; i < 3; i++)
                 qv_add_voxel(sum, voxel[i], qv_row_entry(at, &triple[0], i, volume, storage),
                              storage, factor);

@@ -9,11 +9,17 @@
 #include "march.h"
 #include "pages.h"
 
+/* By how many cells that of a ray lies behind the first of the box, on one axis. */
+FX_INLINE uint32_t qv_paged_beyond(const qv_pages *pages, const qv_ray *ray, unsigned axis)
+{
+    return (uint32_t)((uint64_t)ray->place[axis] >> 32) - pages->first[axis];
+}
+
 /* Where the cell lies in the box; returns 0 where it lies outside. */
 FX_INLINE int qv_paged_locate(uint32_t beyond[3], const qv_pages *pages, const qv_ray *ray)
 {
     for (unsigned axis = 0; axis < 3; axis++) {
-        beyond[axis] = (uint32_t)((uint64_t)ray->place[axis] >> 32) - pages->first[axis];
+        beyond[axis] = qv_paged_beyond(pages, ray, axis);
         if (beyond[axis] >= pages->cells[axis])
             return 0;
     }
@@ -56,7 +62,8 @@ FX_INLINE void qv_paged_find_brought(qv_paged_cell *cell, const qv_ray *ray,
                                      const qv_volume *volume, unsigned storage)
 {
     uint32_t beyond[3];
-    (void)qv_paged_locate(beyond, volume->pages, ray);
+    for (unsigned axis = 0; axis < 3; axis++)
+        beyond[axis] = qv_paged_beyond(volume->pages, ray, axis);
     qv_paged_corners(cell, beyond, ray, volume, storage);
 }
 

@@ -3,7 +3,7 @@
 static int stands_in_box(const qv_ray *ray, const qv_pages *pages)
 {
     for (unsigned axis = 0; axis < 3; axis++)
-        if ((uint32_t)((uint64_t)ray->place[axis] >> 32) - pages->first[axis] >= pages->cells[axis])
+        if (qv_paged_beyond(pages, ray, axis) >= pages->cells[axis])
             return 0;
     return 1;
 }

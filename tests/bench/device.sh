@@ -43,7 +43,10 @@ rows() {
                 for (core = 3; core >= 0; core -= 3)
                     for (c = 1; c <= columns; c++) {
                         at = name[r] SUBSEP column_name[c] SUBSEP core
-                        printf " %d / %d |", cell[at, "full"], cell[at, "sparse"]
+                        if ((at, "full") in cell)
+                            printf " %d / %d |", cell[at, "full"], cell[at, "sparse"]
+                        else
+                            printf " - |"
                     }
                 print ""
             }

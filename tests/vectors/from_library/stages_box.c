@@ -108,6 +108,20 @@ static void clip_edges(vector_set *set)
         "advance", 3, 'i', "s64.32", "from sample to sample on axis [i]"                           \
     }
 
+/* Sample numbers at the ends of the grid. */
+static void clip_added(vector_set *set)
+{
+    static const int64_t firsts[] = {QV_GRID_LIMIT,         QV_GRID_LIMIT - 1, QV_GRID_LIMIT - 9,
+                                     QV_GRID_LIMIT / 2 + 1, -QV_GRID_LIMIT,    9 - QV_GRID_LIMIT};
+    for (unsigned i = 0; i < 12; i++) {
+        const int64_t step = i < 6 ? 1 << 23 : -(1 << 23);
+        clip_row row = {.in = {.n = {4096, 1, 1}, .advance = {step, 0, 0}},
+                        .least = -QV_GRID_LIMIT};
+        row.in.place[0] = (i < 6 ? 0 : (INT64_C(4096) << 32) - 1) - firsts[i % 6] * step;
+        vector_add(set, &row, VECTOR_EDGE | VECTOR_OVERFLOW);
+    }
+}
+
 static const vector_field clip_fields[] = {
     BOX_FIELDS,
     {"least", 1, 'i', "s23", "least sample number"},
@@ -127,6 +141,7 @@ const vector_stage stage_clip = {
     .seed = 9,
     .random_rows = 250,
     .edges = clip_edges,
+    .added = clip_added,
     .draw = clip_draw,
     .compute = clip_compute,
 };
@@ -170,6 +185,25 @@ static void way_edges(vector_set *set)
     }
 }
 
+/* Found by search: here a bit less of a long divisor shows. */
+static void way_added(vector_set *set)
+{
+    static const way_row rows[] = {{.in = {{385, 91, 86},
+                                           {-4009306429647, 12243954277370, -945645799975},
+                                           {-2868982404, 6454733266, -615462468}}},
+                                   {.in = {{278, 115, 387},
+                                           {-3920714595369, 4203341052147, -123538858624},
+                                           {3185821520, -3258316039, 644262908}}},
+                                   {.in = {{175, 26, 231},
+                                           {-2285986186990, -1172636844972, -1031806067420},
+                                           {7309771770, 2914571586, 2611452191}}},
+                                   {.in = {{213, 221, 232},
+                                           {-1589306841304, 1922046741564, 1751922848949},
+                                           {6308485290, -3694678981, -4118747260}}}};
+    for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++)
+        vector_add(set, &rows[i], VECTOR_EDGE);
+}
+
 static const vector_field way_fields[] = {
     BOX_FIELDS,
     {"eye", 1, 'i', "u1", "1 in perspective, 0 in orthographic views"},
@@ -190,6 +224,7 @@ const vector_stage stage_way = {
     .seed = 37,
     .random_rows = 250,
     .edges = way_edges,
+    .added = way_added,
     .draw = way_draw,
     .compute = way_compute,
 };

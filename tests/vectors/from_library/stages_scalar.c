@@ -231,6 +231,28 @@ static void gradient_edges(vector_set *set)
         "window", 1, 'i', "u18", "high - low"                                                      \
     }
 
+/* Gradients as long as the least, and a little shorter; the least and the longest of all. */
+static void gradient_added(vector_set *set)
+{
+    static const uint16_t lengths[] = {1, 2, 3, 255, 1000, 1535};
+    for (unsigned i = 0; i < 6 * 3; i++) {
+        const int64_t length = lengths[i / 3];
+        const gradient_row row = {.d = {0, length, 0},
+                                  .spacing = {65536, 65536, 65536},
+                                  .least = 1,
+                                  .window = (uint64_t)(128 * length) + i % 3 - 1};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+    for (unsigned i = 0; i < 8; i++) {
+        const gradient_row row = {
+            .d = {65535, -65535, 65535},
+            .spacing = {i & 1 ? 1 << 24 : 4096, i & 2 ? 1 << 24 : 4096, i & 4 ? 1 << 24 : 4096},
+            .least = 65535,
+            .window = 196607};
+        vector_add(set, &row, VECTOR_EDGE | VECTOR_OVERFLOW);
+    }
+}
+
 static const vector_field gradient_fields[] = {
     GRADIENT_FIELDS,
     {"g0", 1, 'm', "u64", "spacing1 * spacing2"},
@@ -253,6 +275,7 @@ const vector_stage stage_gradient = {
     .seed = 2100,
     .random_rows = 250,
     .edges = gradient_edges,
+    .added = gradient_added,
     .draw = gradient_draw,
     .compute = gradient_compute,
 };
@@ -350,6 +373,63 @@ static void shade_edges(vector_set *set)
     }
 }
 
+/* Found by search: here a product that is cut, and not rounded, shows. */
+static void add_rounded_shades(vector_set *set)
+{
+    static const shade_row rows[] = {{.d = {41, 187, -171},
+                                      .light = {479, -377, 388},
+                                      .viewer = {242, 353, 47},
+                                      .ambient = 173,
+                                      .diffuse = 153,
+                                      .specular = 167,
+                                      .gloss = 1,
+                                      .colour = {24260, 1913, 41783}},
+                                     {.d = {-83, 210, 31},
+                                      .light = {153, -250, 124},
+                                      .viewer = {318, 209, -81},
+                                      .ambient = 169,
+                                      .diffuse = 153,
+                                      .specular = 242,
+                                      .gloss = 4,
+                                      .colour = {21881, 48019, 30244}},
+                                     {.d = {179, 161, 41},
+                                      .light = {-453, -322, 261},
+                                      .viewer = {-321, 97, 101},
+                                      .ambient = 65,
+                                      .diffuse = 174,
+                                      .specular = 244,
+                                      .gloss = 4,
+                                      .colour = {50015, 44825, 25607}}};
+    static const uint64_t spacing[3] = {65536, 98304, 43691};
+    for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        shade_row row = rows[i];
+        row.window = 1000;
+        for (unsigned axis = 0; axis < 3; axis++)
+            row.spacing[axis] = spacing[axis];
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
+/* A viewer almost opposite to the light: from some angle on there is a highlight. */
+static void shade_added(vector_set *set)
+{
+    static const int16_t sideways[] = {63, 64, 65, 127, 128, 129, 255, 257};
+    for (unsigned i = 0; i < 8; i++) {
+        const shade_row row = {.d = {-100, 0, 0},
+                               .spacing = {65536, 65536, 65536},
+                               .window = 100,
+                               .light = {0, 0, 32767},
+                               .viewer = {sideways[i], 0, -32767},
+                               .ambient = 100,
+                               .diffuse = 100,
+                               .specular = 200,
+                               .gloss = i % 4,
+                               .colour = {1000, 2000, 3000}};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+    add_rounded_shades(set);
+}
+
 static const vector_field shade_fields[] = {
     GRADIENT_FIELDS,
     {"light", 3, 'i', "s16", "direction to the light, axis [i]"},
@@ -376,6 +456,7 @@ const vector_stage stage_shade = {
     .seed = 2200,
     .random_rows = 250,
     .edges = shade_edges,
+    .added = shade_added,
     .draw = shade_draw,
     .compute = shade_compute,
 };

@@ -1,5 +1,5 @@
 /*
- * freevoxels.h - tests/SPEC.md, part H: sections 62 and 64, footprints and sums of 66.
+ * freevoxels.h - tests/SPEC.md, part H: sections 62 to 64, footprints and sums of 66.
  */
 #ifndef FREEVOXELS_H
 #define FREEVOXELS_H
@@ -30,6 +30,26 @@ thickness thickness_of_unit(number U, number L);
 thickness thickness_of_extinction(number E, number L);
 number thickness_depth(thickness t, number w);
 number attenuation_byte(number D);
+
+triple direction_step(number d);
+number step_length(const triple *step, const triple *spacing);
+
+/* Voxels on each axis of a box, or a place in it; voxels are counted x fastest. */
+typedef struct box {
+    long n[3];
+} box;
+
+long box_voxels(const box *b);
+
+/* D of a voxel: of all that lie one step, two steps, ... from it. */
+number voxel_depth(const box *b, const number weight[], long index, const triple *step,
+                   thickness t);
+
+/* Section 63: level l of a box, the levels after level 0, and what a level holds. */
+box level_box(const box *b, unsigned level);
+unsigned level_count(const box *b);
+number block_depth(const box *b, const number D[], long block); /* B */
+number level_byte(const box *b, const number B[], long index, unsigned level);
 
 /* Section 66: halves is 2 of the linear, 3 of the quadratic kernel; R as there. */
 typedef struct footprint {

@@ -50,6 +50,7 @@ stage_function stage_pixel_blend, stage_pixel_show;
 
 /* Part H. */
 stage_function stage_order, stage_attenuation, stage_length, stage_scaled;
+stage_function stage_attenuate, stage_lamp;
 stage_function stage_footprint, stage_splat_added, stage_splat_over;
 
 /* Part I. */

@@ -14,11 +14,16 @@ void stage_order(csv *c)
     out(c, curve_index(&n, &p, true), "hilbert");
 }
 
+static thickness in_thickness(csv *c, bool is_stored, number L)
+{
+    number U = in(c, "unit"), E = in(c, "extinction");
+    return is_stored ? thickness_of_extinction(E, L) : thickness_of_unit(U, L);
+}
+
 void stage_attenuation(csv *c)
 {
     const bool is_stored = sign_of(in(c, "stored")) != 0;
-    number U = in(c, "unit"), E = in(c, "extinction"), L = in(c, "length");
-    const thickness t = is_stored ? thickness_of_extinction(E, L) : thickness_of_unit(U, L);
+    const thickness t = in_thickness(c, is_stored, in(c, "length"));
     number D = whole(0);
     out(c, t.f, "f");
     out(c, t.s, "s");
@@ -29,6 +34,41 @@ void stage_attenuation(csv *c)
         out(c, weight, "weight%u", i);
         out(c, D, "depth%u", i);
         out(c, attenuation_byte(D), "byte%u", i);
+    }
+}
+
+void stage_attenuate(csv *c)
+{
+    enum { VOXELS = 12, BLOCKS = 6, LEVEL2 = 3 };
+    const triple n = in_triple(c, "n"), spacing = in_triple(c, "spacing");
+    const triple step = direction_step(in(c, "direction"));
+    const box b = {{small(n.v[0]), small(n.v[1]), small(n.v[2])}};
+    const box level1 = level_box(&b, 1), level2 = level_box(&b, 2);
+    const unsigned levels = level_count(&b);
+    number x[VOXELS], D[VOXELS], B[BLOCKS];
+    const bool is_stored = sign_of(in(c, "stored")) != 0;
+    number L = step_length(&step, &spacing);
+    const thickness t = in_thickness(c, is_stored, L);
+    out(c, L, "length");
+    in_all(c, "x", x, VOXELS);
+    for (unsigned i = 0; i < VOXELS; i++)
+        x[i] = is_stored ? x[i] : ext16(x[i]);
+    for (unsigned i = 0; i < VOXELS; i++) {
+        const bool is_there = i < box_voxels(&b);
+        D[i] = is_there ? voxel_depth(&b, x, i, &step, t) : whole(0);
+        out(c, is_there ? attenuation_byte(D[i]) : whole(0), "byte%u", i);
+    }
+    for (unsigned i = 0; i < BLOCKS; i++) {
+        B[i] = i < box_voxels(&level1) ? block_depth(&b, D, i) : whole(0);
+        out(c, B[i], "block%u", i);
+    }
+    for (unsigned i = 0; i < BLOCKS; i++) {
+        const bool is_there = levels >= 1 && i < box_voxels(&level1);
+        out(c, is_there ? level_byte(&b, B, i, 1) : whole(0), "level1%u", i);
+    }
+    for (unsigned i = 0; i < LEVEL2; i++) {
+        const bool is_there = levels >= 2 && i < box_voxels(&level2);
+        out(c, is_there ? level_byte(&b, B, i, 2) : whole(0), "level2%u", i);
     }
 }
 
