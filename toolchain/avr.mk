@@ -2,6 +2,13 @@
 TARGET_OPTIONS := -DQV_MEMORY_HEADER='"volume_flash.h"'
 TARGET_GOLDEN :=
 TARGET_BENCH_MODES := tests/bench/bench_modes_few.c
+# All modes, in five programs.
+TARGET_BENCHES := $(addprefix bench_,rgba8 rgba16 indexed8 indexed8_16 stored)
+BENCH_rgba8 := ALL(rgba8), BENCH_MODE(associated8, preweighted)
+BENCH_rgba16 := ALL(rgba16)
+BENCH_indexed8 := ALL(indexed8)
+BENCH_indexed8_16 := ALL(indexed8_16)
+BENCH_stored := STORED(rgbt8), STORED(rgbt16), STORED(indexed8_t8), STORED(indexed8_t16)
 TARGET_FIRMWARE := bench float functions blends planet ball pages freevoxels
 include toolchain/shared/avr.mk
 

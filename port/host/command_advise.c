@@ -96,10 +96,7 @@ static void refuse_rays(const struct ray_wish *wish, const struct settings *sett
     bool worst = wish->worst > 0;
     struct ray_configuration best;
     char name[NAME_BYTES];
-    if (!rays_best(&best, wish)) {
-        data_error(target_name(settings), "--voxel-bytes", "no voxel takes %u or less",
-                   wish->voxel_bytes);
-    }
+    rays_best(&best, wish);
     sampling_name(name, &best);
     data_error(target_name(settings), worst ? "--error" : "--rms",
                "no configuration reaches all that is wanted; the best, %s with a step of %g, is "
@@ -156,9 +153,7 @@ static void refuse_buffers(const struct buffer_wish *wish, const struct settings
 static void refuse_buffers(const struct buffer_wish *wish, const struct settings *settings)
 {
     struct buffer_configuration best;
-    if (!buffers_best(&best, wish)) {
-        data_error(target_name(settings), "--framebuffer", "nothing is known for these bits");
-    }
+    buffers_best(&best, wish);
     data_error(target_name(settings), "--error",
                "no frame buffer of these reaches it; the best, qv_%s, is off by at most %.2f, in a "
                "constant fog by %.2f",

@@ -54,7 +54,7 @@ static struct ray_configuration ray_of(const struct mode_figures *mode, unsigned
 /* Where samples are given, so is their step: one stands for all. */
 static bool is_possible(const struct ray_configuration *of, const struct ray_wish *wish)
 {
-    return of->sample != 0 && (!wish->samples || of->step == 1) &&
+    return (!wish->samples || of->step == 1) &&
            (wish->voxel_bytes == 0 || of->voxel_bytes <= wish->voxel_bytes);
 }
 
@@ -89,26 +89,27 @@ unsigned rays_within(struct ray_configuration found[CONFIGURATION_MOST],
     return count;
 }
 
-bool rays_best(struct ray_configuration *best, const struct ray_wish *wish)
+/* There is always one: an index takes one byte. */
+void rays_best(struct ray_configuration *best, const struct ray_wish *wish)
 {
     struct ray_configuration all[CONFIGURATION_MOST];
     struct ray_wish any = *wish;
     any.worst = any.rms = 0;
     unsigned count = rays_within(all, &any);
-    for (unsigned i = 0; i < count; i++) {
+    *best = all[0];
+    for (unsigned i = 1; i < count; i++) {
         bool better = wish->worst > 0 ? all[i].worst < best->worst : all[i].rms < best->rms;
-        if (i == 0 || better) {
+        if (better) {
             *best = all[i];
         }
     }
-    return count != 0;
 }
 
 /* ---- Frame buffers ----------------------------------------------------------------- */
 
 static bool is_wanted(const struct blend_figures *blend, const struct buffer_wish *wish)
 {
-    return blend->cost[wish->target - 1] != 0 && (wish->bits == 0 || blend->bits == wish->bits) &&
+    return (wish->bits == 0 || blend->bits == wish->bits) &&
            (wish->residual < 0 || blend->residual == wish->residual);
 }
 
@@ -156,16 +157,17 @@ unsigned buffers_within(struct buffer_configuration found[CONFIGURATION_MOST],
     return count;
 }
 
-bool buffers_best(struct buffer_configuration *best, const struct buffer_wish *wish)
+/* There is always one: all bits have a blend for what is recommended. */
+void buffers_best(struct buffer_configuration *best, const struct buffer_wish *wish)
 {
     struct buffer_configuration all[CONFIGURATION_MOST];
     struct buffer_wish any = *wish;
     any.worst = 0;
     unsigned count = buffers_within(all, &any);
-    for (unsigned i = 0; i < count; i++) {
-        if (i == 0 || error_of(&all[i], wish) < error_of(best, wish)) {
+    *best = all[0];
+    for (unsigned i = 1; i < count; i++) {
+        if (error_of(&all[i], wish) < error_of(best, wish)) {
             *best = all[i];
         }
     }
-    return count != 0;
 }

@@ -32,7 +32,7 @@ struct mode_figures {
         struct error_figures medium;  /* from the medium that the voxels stand for */
         struct error_figures samples; /* from the same samples in double precision */
     } errors[CONFIGURATION_STEPS];
-    uint32_t cost[CONFIGURATION_TARGETS]; /* of a sample; 0: not known */
+    uint32_t cost[CONFIGURATION_TARGETS]; /* of a sample */
 };
 
 /* What is wanted of a ray; 0 where nothing is. */
@@ -59,9 +59,9 @@ bool ray_by_length(const struct ray_configuration *of);
 unsigned rays_within(struct ray_configuration found[CONFIGURATION_MOST],
                      const struct ray_wish *wish);
 
-/* The one of the smallest worst error, or RMS where only that is wanted, whatever it should be.
-   False where there is none of so few bytes. */
-bool rays_best(struct ray_configuration *best, const struct ray_wish *wish);
+/* The one of the smallest worst error, or RMS where only that is wanted, of those of few enough
+   bytes. */
+void rays_best(struct ray_configuration *best, const struct ray_wish *wish);
 
 /* ---- Frame buffers ----------------------------------------------------------------- */
 
@@ -90,9 +90,9 @@ struct buffer_configuration {
     unsigned pixel;          /* what a pixel of a slice costs */
 };
 
-/* As for rays. Errors are those of qv_recommend. */
+/* As for rays; errors are those of qv_recommend. A residual goes with 8 bits. */
 unsigned buffers_within(struct buffer_configuration found[CONFIGURATION_MOST],
                         const struct buffer_wish *wish);
-bool buffers_best(struct buffer_configuration *best, const struct buffer_wish *wish);
+void buffers_best(struct buffer_configuration *best, const struct buffer_wish *wish);
 
 #endif

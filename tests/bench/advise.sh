@@ -12,6 +12,8 @@
 set -eu
 : "${BUILD:=build}" "${OPTIMISE:=-O2}"
 export BUILD OPTIMISE
+: "${EMULATOR_SECONDS:=900}" # an AVR takes long for B-splines
+export EMULATOR_SECONDS
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -31,7 +33,7 @@ over_rgb24 24 0 ROUND 9 0"
 
 costs() { # costs TARGET; this machine is measured as devices are
     name=${1%-gcc}
-    tests/bench/device.sh "$1" >"$work/samples"
+    tests/bench/device.sh "$1" all >"$work/samples"
     awk -v target="$name" '$3 == "inside" { print target, $1, $2, $4 }' "$work/samples"
     tests/bench/blends.sh "$1" >"$work/blends"
     awk -F'|' -v target="$name" '{ gsub(/ /, "_", $1); count = $3 == "-" ? $2 : $3
@@ -48,7 +50,7 @@ table() {
  *
  * Errors in 1/100 of a level of 255, rounded up: RMS and worst, from the medium and from the same
  * samples (tests/advise/errors.c says how they are measured). Instructions, on an AVR cycles, of
- * a sample inside a ray and of a blended pixel, at -O2; 0 where the flash does not hold the mode.
+ * a sample inside a ray and of a blended pixel, at -O2.
  */
 #ifndef QVOL_HOST_ADVISE_TABLE_H
 #define QVOL_HOST_ADVISE_TABLE_H

@@ -3,7 +3,7 @@
 #
 #     tests/bench/choose.sh           for README.md: the cheapest on each class of devices, and what
 #                                     the usual modes cost
-#     tests/bench/choose.sh report    section 3 of the precision report: all modes and frame buffers too
+#     tests/bench/choose.sh report    section 3 of the precision report: all modes, frame buffers too
 set -eu
 : "${BUILD:=build}" "${QVOL:=build/host/qvol}"
 cd "$(dirname "$0")/../.."
@@ -24,7 +24,8 @@ first() {
 cell() { # cell TARGET ERROR OPTION...
     target=$1 error=$2
     shift 2
-    if ! "$QVOL" advise --target "$target" --error "$error" "$@" --json >"$work/report" 2>/dev/null; then
+    if ! "$QVOL" advise --target "$target" --error "$error" "$@" --json >"$work/report" \
+        2>/dev/null; then
         echo "-"
         return
     fi
@@ -85,7 +86,8 @@ modes() {
                 n = names[i]
                 printf "| %s | %d | %d | %d | %d | %s |", n, bytes[n], cost["cortex-m0", n],
                     cost["cortex-m4", n], cost["rv32imc", n], samples[n]
-                printf " %s | %s | %s | %s |\n", medium[n, .25], medium[n, .5], medium[n, 1], medium[n, 2]
+                printf " %s | %s | %s | %s |\n", medium[n, .25], medium[n, .5], medium[n, 1],
+                    medium[n, 2]
             }
         }' "$work/all" "$work/lines"
 }
@@ -129,15 +131,15 @@ cat <<'END'
 ## 3 What it means
 
 What `qvol advise` tells, from port/host/advise_table.h: `make advise` measures it, and
-`tests/static/advise.sh` and `tests/device/insns.sh` compare it. Errors are in levels of 255, of the
-worst pixel, over a scan, a fog, waves of colour and a ball, before pixels are packed. The medium is what
-double precision shows in steps of 1/16 voxel with the mode's own reconstruction; from the same
-samples is what storage and integers add.
+`tests/static/advise.sh` and `tests/device/insns.sh` compare it. Errors are in levels of 255, of
+the worst pixel, over a scan, a fog, waves of colour and a ball, before pixels are packed. The
+medium is what double precision shows in steps of 1/16 voxel with the mode's own reconstruction;
+from the same samples is what storage and integers add.
 
 ### 3.1 The cheapest configuration
 
 Mode and storage, step in voxels, and instructions (avr: cycles) for a voxel's length of a ray; a
-dash where nothing reaches it, on an AVR nothing that its flash holds beside all the others.
+dash where nothing reaches it.
 
 END
 cheapest

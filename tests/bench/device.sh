@@ -7,16 +7,19 @@
 #     tests/bench/device.sh           a Markdown table of both devices
 #     tests/bench/device.sh TARGET    lines "STORAGE MODE SCENE INSTRUCTIONS" of one; on an
 #                                     AVR, of some modes, in cycles
+#     tests/bench/device.sh TARGET all    the same of all modes, on an AVR by several programs
 set -eu
 : "${BUILD:=build}" "${OPTIMISE:=-O2}"
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-count() { # count TARGET
+count() { # count TARGET [PROGRAM]
     out=$BUILD/devices$OPTIMISE
-    make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$out/$1/bench.elf" >&2
-    EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$out/$1/bench.elf" >"$work/scenes" 2>"$work/messages" ||
+    program=$out/$1/${2:-bench}.elf
+    make -s TARGET="$1" OPTIMISE="$OPTIMISE" BUILD="$out" "$program" >&2
+    EMULATOR_REPORT=$work/regions toolchain/emulate "$1" "$program" >"$work/scenes" \
+        2>"$work/messages" ||
         { cat "$work/scenes" "$work/messages" >&2; exit 1; }
     paste -d ' ' "$work/scenes" "$work/regions" |
         awk '{ rays = $4; samples = $5; executed = $11 == "cycles" ? $12 : $10; mode = $1 " " $2 }
@@ -53,6 +56,12 @@ rows() {
         }'
 }
 
+if [ "${2:-}" = all ]; then
+    for program in $(make -s TARGET="$1" print-TARGET_BENCHES); do
+        count "$1" "$program"
+    done
+    exit
+fi
 if [ $# -eq 1 ]; then
     count "$1"
     exit

@@ -48,14 +48,14 @@ done
 # The floats of an AVR are written by hand for it, products of 64 bits by no one: no 15 there.
 at_least 2 avr
 
-# The table of qvol advise has the same counts.
+# The table of qvol advise has the same counts, but for what a small change of the code moves.
 tests/bench/advise.sh lines >"$work/advise"
 in_table() {
     awk 'NR == FNR { count[$1, $2, $3] = $4; next }
         $2 == "float" || $4 != "inside" { next }
-        { rows++ }
-        count[$1, $2, $3] != $5 { print "table", count[$1, $2, $3] + 0 ", counted", $0; bad = 1 }
+        { rows++; told = count[$1, $2, $3] + 0; off = told > $5 ? told - $5 : $5 - told }
+        off > .05 * $5 { print "table", told ", counted", $0; bad = 1 }
         END { exit bad || rows < 100 }' "$work/advise" "$work/lines"
 }
-check "the table of qvol advise has these counts (make advise writes it)" in_table
+check "the table of qvol advise has these counts within 5 % (make advise writes it)" in_table
 finish

@@ -22,6 +22,11 @@ AVR_SIMULATOR := $(BUILD)/emulator/avr
 # Sources of each firmware beside the port and the library.
 TARGET_BENCH_MODES ?= tests/bench/bench_modes.c
 FIRMWARE_bench := tests/bench/bench_device.c $(TARGET_BENCH_MODES)
+# Where the flash holds a part of all modes at a time: programs that hold BENCH_PART each.
+TARGET_BENCHES ?= bench
+BENCH_PARTS := $(patsubst bench_%,%,$(filter bench_%,$(TARGET_BENCHES)))
+$(foreach part,$(BENCH_PARTS),$(eval FIRMWARE_bench_$(part) := tests/bench/bench_device.c \
+	tests/bench/bench_modes.$(part).c))
 FIRMWARE_float := tests/bench/float_device.c
 FIRMWARE_functions := tests/bench/functions_device.c
 FIRMWARE_marches := tests/device/marches.c
@@ -89,6 +94,14 @@ $(OUT)/tests/golden/set_%.$(1).o: tests/golden/set_%.c $(DEVICE_OPTIONS)
 endef
 $(foreach part,$(GOLDEN_PARTS),$(eval $(call compile_golden_part,$(part),$(shell echo $(part) | tr a-z A-Z))))
 
+define compile_bench_part
+$(OUT)/tests/bench/bench_modes.$(1).o: tests/bench/bench_modes.c $(DEVICE_OPTIONS)
+	@mkdir -p $$(@D)
+	@echo "  CC  $$< $(1)"
+	@$(TARGET_CC) $(DEVICE_CFLAGS) -D'BENCH_MODES=$$(BENCH_$(1))' -c $$< -o $$@
+endef
+$(foreach part,$(BENCH_PARTS),$(eval $(call compile_bench_part,$(part))))
+
 $(OUT)/%.o: $(OUT)/%.c $(DEVICE_OPTIONS)
 	@echo "  CC  $<"
 	@$(TARGET_CC) $(DEVICE_CFLAGS) -c $< -o $@
@@ -100,7 +113,7 @@ $(OUT)/$(1).elf: $(call objects,$(FIRMWARE_$(1))) $(DEVICE_OBJECTS) $(LIBRARY) $
 		$(TARGET_LDLIBS) -o $$@
 -include $(patsubst %.o,%.d,$(call objects,$(FIRMWARE_$(1))))
 endef
-$(foreach name,$(TARGET_FIRMWARE),$(eval $(call link_firmware,$(name))))
+$(foreach name,$(sort $(TARGET_FIRMWARE) $(TARGET_BENCHES)),$(eval $(call link_firmware,$(name))))
 -include $(DEVICE_OBJECTS:.o=.d)
 
 # ---- The ball in flash ----------------------------------------------------------

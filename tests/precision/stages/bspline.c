@@ -67,7 +67,7 @@ static const stage stages[] = {
 
 const chapter chapter_bspline = {
     "Weights of the B-spline (SPEC 40)",
-    "A weight is parted three times. An outer part is rounded, by 1/2; the middle one is what is\n"
-    "left, off by up to 1; and either carries its share of the error of what was parted, at most\n"
-    "1/2 or 3/4 of it. The middle of the middle of the middle: 1 + 3/4 (1 + 3/4) = 2.3125.\n",
+    "A weight is parted three times. An outer part is rounded, by 1/2; the middle one is what\n"
+    "is left, off by up to 1; and either carries its share of the error of what was parted, at\n"
+    "most 1/2 or 3/4 of it. The middle of the middle of the middle: 1 + 3/4 (1 + 3/4) = 2.3125.\n",
     stages, COUNT(stages)};

@@ -229,20 +229,19 @@ static const stage stages[] = {
 
 const chapter chapter_composite = {
     "Compositing of n samples (SPEC 14)",
-    "RMS is that of 400 random rays. The worst were grown greedily: of some hundred samples whose\n"
-    "products lie just beside k + 1/2 each takes that after which light and transmittance are\n"
-    "farthest off to one side; front to back an opaque white sample ends the ray, which turns the\n"
-    "error of transmittance into light.\n\n"
+    "RMS is that of 400 random rays. The worst were grown greedily: of some hundred samples\n"
+    "whose products lie just beside k + 1/2 each takes that after which light and transmittance\n"
+    "are farthest off to one side; front to back an opaque white sample ends the ray, which\n"
+    "turns the error of transmittance into light.\n\n"
     "**Transmittance.** A sample multiplies the error so far by at most 1 and rounds by at most\n"
     "1/2: after n samples at most n / 2 of 2^-31.\n\n"
-    "**Front to back.** Light and transmittance share what there is: what a sample takes from an\n"
-    "error of transmittance is all that it can add to that of light, besides the rounding of its\n"
-    "own product, 1/2. So both together are off by at most n / 2 + n / 2.\n\n"
-    "**Back to front.** A sample takes from the error so far, and rounds twice: the product by "
-    "1/2,\n"
-    "half of its light by 1/2.\n\n"
+    "**Front to back.** Light and transmittance share what there is: what a sample takes from\n"
+    "an error of transmittance is all that it can add to that of light, besides the rounding of\n"
+    "its own product, 1/2. So both together are off by at most n / 2 + n / 2.\n\n"
+    "**Back to front.** A sample takes from the error so far, and rounds twice: the product by\n"
+    "1/2, half of its light by 1/2.\n\n"
     "Half an odd light is a tie, which goes upwards: of random rays too, light is n / 4 high on\n"
     "average.\n\n"
-    "Front to back, errors of random rays grow with the root of n or less, as their RMS shows. At\n"
-    "the worst 4096 samples leave 19 bits right.\n",
+    "Front to back, errors of random rays grow with the root of n or less, as their RMS shows.\n"
+    "At the worst 4096 samples leave 19 bits right.\n",
     stages, COUNT(stages)};

@@ -305,14 +305,13 @@ static const stage stages[] = {
 
 const chapter chapter_downsampling = {
     "Downsampling (SPEC 34)",
-    "**One level.** Sums are exact; mean and colour are one quotient each, to nearest. By "
-    "extinction\n"
-    "log and mean are within 1.1 of 2^-24 of depth, below .01 of 1/65535, and exp of 16 bits "
-    ".51.\n\n"
-    "**l levels.** A mean carries the errors of what it is made of, no more: l / 2 for opacity. A\n"
-    "colour is weighted by opacities that are rounded from the second level on. Of opacities of a\n"
-    "and more they are 1 / (2 a) off, in part: where those of bright voxels are rounded upwards,\n"
-    "and of dark ones downwards, that shifts the colour by 65535 / (4 a) a level. With a = 256 it\n"
-    "is 64; below, it grows, until opacity 1/2 of 65535 is rounded to 0 or 1 and its colour is\n"
-    "lost or counts twice.\n",
+    "**One level.** Sums are exact; mean and colour are one quotient each, to nearest. By\n"
+    "extinction log and mean are within 1.1 of 2^-24 of depth, below .01 of 1/65535, and exp of\n"
+    "16 bits .51.\n\n"
+    "**l levels.** A mean carries the errors of what it is made of, no more: l / 2 for opacity.\n"
+    "A colour is weighted by opacities that are rounded from the second level on. Of opacities\n"
+    "of a and more they are 1 / (2 a) off, in part: where those of bright voxels are rounded\n"
+    "upwards, and of dark ones downwards, that shifts the colour by 65535 / (4 a) a level. With\n"
+    "a = 256 it is 64; below, it grows, until opacity 1/2 of 65535 is rounded to 0 or 1 and its\n"
+    "colour is lost or counts twice.\n",
     stages, COUNT(stages)};

@@ -199,10 +199,9 @@ static const stage stages[] = {
 const chapter chapter_entries = {
     "Voxels (SPEC 19 to 23, 31)",
     "**Scalars.** Index and entry are one quotient each, to nearest.\n\n"
-    "**Normal.** As the direction of a ray (1.1), but that components have 30 bits or less before\n"
-    "they are normalised, and a cut counts 2 of 2^-30: at x = .81, 2 sqrt(2) x sqrt(1 - x^2) + "
-    "1.5\n"
-    "x + 1/2 = 3.06.\n\n"
-    "**Entries.** One rounding, and the log's 1.5 * 2^-28 or exp's 2^-31, which the full value's\n"
-    "depth of 17 makes 3e-5 of 1/65535; 8 bits are rounded twice: 1/2 of 1/65535 more.\n",
+    "**Normal.** As the direction of a ray (1.1), but that components have 30 bits or less\n"
+    "before they are normalised, and a cut counts 2 of 2^-30: at x = .81, 2 sqrt(2) x sqrt(1 -\n"
+    "x^2) + 1.5 x + 1/2 = 3.06.\n\n"
+    "**Entries.** One rounding, and the log's 1.5 * 2^-28 or exp's 2^-31, which the full\n"
+    "value's depth of 17 makes 3e-5 of 1/65535; 8 bits are rounded twice: 1/2 of 1/65535 more.\n",
     stages, COUNT(stages)};

@@ -189,16 +189,12 @@ static const stage stages[] = {
 
 const chapter chapter_lengths = {
     "Pieces of a way (SPEC 42, 43)",
-    "**Corrected.** As the opacity for other slices: 1.5 k ln 2 of the log and .1 of exp for a "
-    "piece\n"
-    "of k unit distances. Light: the factor of colour, .4 of 2^-16, and the cut of the last "
-    "place,\n"
-    "2^-22 of light of 2^22 and more.\n\n"
+    "**Corrected.** As the opacity for other slices: 1.5 k ln 2 of the log and .1 of exp for a\n"
+    "piece of k unit distances. Light: the factor of colour, .4 of 2^-16, and the cut of the\n"
+    "last place, 2^-22 of light of 2^22 and more.\n\n"
     "**Extinction.** Each depth is cut by less than 2^-32, which takes ln 2 / 2 of 2^-31 of the\n"
-    "transmittance at most, and their sum is exact: .78 of exp and .3466 for each piece. Light "
-    "has\n"
-    "the error of phi, below .008 of 2^-16 for depths below 2, by what the pieces' depths sum up "
-    "to\n"
-    "while they are seen: 1 / phi(2) = 1.85 at most, .015; and three cuts and the transmittance's\n"
-    "own error a piece, together below 1e-4 of 2^-16.\n",
+    "transmittance at most, and their sum is exact: .78 of exp and .3466 for each piece. Light\n"
+    "has the error of phi, below .008 of 2^-16 for depths below 2, by what the pieces' depths\n"
+    "sum up to while they are seen: 1 / phi(2) = 1.85 at most, .015; and three cuts and the\n"
+    "transmittance's own error a piece, together below 1e-4 of 2^-16.\n",
     stages, COUNT(stages)};

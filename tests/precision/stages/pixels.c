@@ -215,15 +215,13 @@ static const stage stages[] = {
 
 const chapter chapter_pixels = {
     "Read-out and pixel formats (SPEC 2.3, 16, 17, 69)",
-    "**Read-out.** The product is rounded, by 1/2 of 2^-16, and its constant, by 1/2, which an E\n"
-    "of at most 2^31 of 2^32 turns into 1/4; limits and differences with the background's share\n"
-    "are products of the same kind.\n\n"
-    "**Eight bits.** One rounding to nearest each: 1/2 level. Grey is rounded to 16 fraction bits\n"
-    "before: 2^-17 more.\n\n"
-    "**Dither.** A level v becomes floor(v + (2 t + 1) / 128), t = 0 .. 63: off by less than 127 "
-    "/\n"
-    "128 of its own level upwards and downwards. Over all t the number of those that round up is\n"
-    "64 times the fraction of v, to nearest: their mean is within 1/128. Grey adds 2^-17 of a "
-    "level\n"
-    "of 255 where it comes before; it does not show in these digits.\n",
+    "**Read-out.** The product is rounded, by 1/2 of 2^-16, and its constant, by 1/2, which an\n"
+    "E of at most 2^31 of 2^32 turns into 1/4; limits and differences with the background's\n"
+    "share are products of the same kind.\n\n"
+    "**Eight bits.** One rounding to nearest each: 1/2 level. Grey is rounded to 16 fraction\n"
+    "bits before: 2^-17 more.\n\n"
+    "**Dither.** A level v becomes floor(v + (2 t + 1) / 128), t = 0 .. 63: off by less than\n"
+    "127 / 128 of its own level upwards and downwards. Over all t the number of those that\n"
+    "round up is 64 times the fraction of v, to nearest: their mean is within 1/128. Grey adds\n"
+    "2^-17 of a level of 255 where it comes before; it does not show in these digits.\n",
     stages, COUNT(stages)};

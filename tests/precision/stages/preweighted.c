@@ -193,15 +193,13 @@ static const stage stages[] = {
 
 const chapter chapter_preweighted = {
     "Preweighted sampling (SPEC 70)",
-    "**Sums.** Of the weights between rows only y z is rounded, by 1/512, and its error stands "
-    "with\n"
-    "both signs twice: 1/512 of |v - v - v + v| <= 510 levels, .9961. The error of the storage, "
-    "half\n"
-    "a level of the weighted colour, comes before it and is no stage's: see section 2.\n\n"
-    "**n samples.** What gets through is parted between a cell's ends in whole numbers below "
-    "65536:\n"
-    "the cut of a part costs less than 65280 / 2^24 = .0039 of a level a sample, that of the "
-    "share\n"
-    "1.01 of it in all, as its samples sum up to 1. Light loses the same, and once more what the\n"
-    "error of the transmittance adds. Over, the sample is cut in place of the parts.\n",
+    "**Sums.** Of the weights between rows only y z is rounded, by 1/512, and its error stands\n"
+    "with both signs twice: 1/512 of |v - v - v + v| <= 510 levels, .9961. The error of the\n"
+    "storage, half a level of the weighted colour, comes before it and is no stage's: see\n"
+    "section 2.\n\n"
+    "**n samples.** What gets through is parted between a cell's ends in whole numbers below\n"
+    "65536: the cut of a part costs less than 65280 / 2^24 = .0039 of a level a sample, that of\n"
+    "the share 1.01 of it in all, as its samples sum up to 1. Light loses the same, and once\n"
+    "more what the error of the transmittance adds. Over, the sample is cut in place of the\n"
+    "parts.\n",
     stages, COUNT(stages)};

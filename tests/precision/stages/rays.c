@@ -248,20 +248,23 @@ static const stage stages[] = {
 
 const chapter chapter_rays = {
     "Ray set-up (SPEC 2, 4 to 9, 37)",
-    "**Sine.** In units of 2^-32: each of four steps rounds a coefficient and a product, 1/2 "
-    "each,\n"
-    "and the first coefficient stands for one more term, within .6: 5.2, and 1/2 for the product\n"
-    "with u. The last rounding, to 30 bits, is 1/2 of 2^-30: 5.7 / 4 + 1/2 = 1.9; cosine 2.0.\n\n"
-    "**Root.** In units of 2^-30 of r: the iteration has converged; the last one rounds f r^2 "
-    "twice\n"
-    "(1/2 of its own unit in all, after the factor 1/2), r once (1/2), and f was cut (1/2).\n\n"
+    "**Sine.** In units of 2^-32: each of four steps rounds a coefficient and a product, 1/2\n"
+    "each, and the first coefficient stands for one more term, within .6: 5.2, and 1/2 for the\n"
+    "product with u. The last rounding, to 30 bits, is 1/2 of 2^-30: 5.7 / 4 + 1/2 = 1.9;\n"
+    "cosine 2.0.\n\n"
+    "**Root.** In units of 2^-30 of r: the iteration has converged; the last one rounds f r^2\n"
+    "twice (1/2 of its own unit in all, after the factor 1/2), r once (1/2), and f was cut\n"
+    "(1/2).\n\n"
     "**Rotation.** With e = 2 for a sine: of right and down, sqrt(1 + 2) e = 3.5 by their own\n"
     "errors, sqrt(2) e = 2.8 by those of the roll, and three roundings of 1/2.\n\n"
     "**Length.** One quotient to nearest. From there on an orthographic ray is exact: pixel and\n"
     "sample numbers multiply whole numbers.\n\n"
-    "**Direction.** In units of 2^-30, of a component x of the unit vector: the cut of the other "
-    "two,\n"
-    "less than 1 each of 2^30 or more, lengthens it by sqrt(2) x sqrt(1 - x^2) at most; its own\n"
-    "shortens it by 1 - x^2; the root is off by 1.5 x, the product by 1/2. At x = .87 that is "
-    "2.42.\n",
+    "**Direction.** In units of 2^-30, of a component x of the unit vector: the cuts of the\n"
+    "other two, less than 1 each of 2^30 or more, lengthen it by sqrt(2) x sqrt(1 - x^2) at\n"
+    "most, its own shortens it by 1 - x^2; the root is off by 1.5 x, the product by 1/2: 2.42,\n"
+    "at x = .87. 4096 steps of a voxel make 9e-6 voxel of it, 1/200 of what a position is\n"
+    "rounded by (1.4).\n\n"
+    "**Way.** The place where a ray leaves the box, in steps, is cut to even units of 2^-24:\n"
+    "less than 2, and 2^-6 for bits of a long advance that are dropped before. Samples are\n"
+    "clipped exactly.\n",
     stages, COUNT(stages)};

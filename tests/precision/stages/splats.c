@@ -177,15 +177,11 @@ const chapter chapter_splats = {
     "**Byte.** One rounding, 1/2, of 24 bits of exp, which are 255 * 2^-24 off: .00002.\n\n"
     "**Path.** Depths sum up exactly; each voxel's is an extinction, off by .6 of 2^-24, which\n"
     "moves a transmittance by ln 2 of that at most: 6.3e-6 of a level of 255.\n\n"
-    "**Footprint.** A weight is the difference of two edges, each cut towards the middle: less "
-    "than\n"
-    "2 of 2^-15. Half the width is cut to whole 2^-16, which moves an edge by 1/8 at most. In "
-    "units\n"
-    "of 2^-16 of the kernel's integral, of which an edge of a voxel w pixels wide has w / 2: the\n"
-    "reciprocal puts it 4 of 2^22 of half the width too near, the place is cut: below .08; the "
-    "table\n"
-    "of the linear kernel is exact, as is its parabola; that of the quadratic is rounded, by 1/2,\n"
-    "the bend of its parabola by 2 of which 1/8 counts, and the cubic is .11 off the parabola: "
-    ".86.\n"
-    "Two edges: 2.25 + .08 w and 2.25 + .94 w.\n",
+    "**Footprint.** A weight is the difference of two edges, each cut towards the middle: less\n"
+    "than 2 of 2^-15. Half the width is cut to whole 2^-16, which moves an edge by 1/8 at most.\n"
+    "In units of 2^-16 of the kernel's integral, of which an edge of a voxel w pixels wide has\n"
+    "w / 2: the reciprocal puts it 4 of 2^22 of half the width too near, the place is cut:\n"
+    "below .08; the table of the linear kernel is exact, as is its parabola; that of the\n"
+    "quadratic is rounded, by 1/2, the bend of its parabola by 2 of which 1/8 counts, and the\n"
+    "cubic is .11 off the parabola: .86. Two edges: 2.25 + .08 w and 2.25 + .94 w.\n",
     stages, COUNT(stages)};

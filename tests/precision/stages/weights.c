@@ -41,9 +41,8 @@ static const stage stages[] = {
 
 const chapter chapter_weights = {
     "Weights of a cell (SPEC 11)",
-    "x, y, z and their three products in pairs are exact in u17.16: 8 and 16 fraction bits. Only\n"
-    "xyz has 24, and is rounded to 16, by at most 1/2. Each of the eight weights is a sum of "
-    "exact\n"
-    "terms and of xyz, once, so that each is off by that same error, with the sign that xyz has\n"
-    "there; the eight errors cancel in the sum, which is exactly 65536.\n",
+    "x, y, z and their three products in pairs are exact in u17.16: 8 and 16 fraction bits.\n"
+    "Only xyz has 24, and is rounded to 16, by at most 1/2. Each of the eight weights is a sum\n"
+    "of exact terms and of xyz, once, so that each is off by that same error, with the sign\n"
+    "that xyz has there; the eight errors cancel in the sum, which is exactly 65536.\n",
     stages, COUNT(stages)};

@@ -31,7 +31,10 @@ extern const vector_stage stage_nearest, stage_bspline, stage_bspline_sample, st
 extern const vector_stage stage_under, stage_over, stage_readout, stage_pixel;
 
 /* stages_scalar.c */
-extern const vector_stage stage_transfer, stage_index, stage_gradient, stage_shade, stage_reduce;
+extern const vector_stage stage_transfer, stage_index, stage_reduce;
+
+/* stages_shade.c */
+extern const vector_stage stage_gradient, stage_shade;
 
 /* stages_depth.c */
 extern const vector_stage stage_transmittance, stage_transmittance16;

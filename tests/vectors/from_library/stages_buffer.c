@@ -227,6 +227,7 @@ static void set_background(qv_context *context, const uint64_t background[4])
     for (unsigned c = 0; c < 4; c++) {
         uint32_t p = (uint32_t)(background[3] * (c < 3 ? background[c] : 255u));
         context->background[c] = 2u * (257u * p + fx_div255_round(p));
+        context->scene.background[c] = (uint8_t)background[c];
     }
 }
 
