@@ -129,6 +129,10 @@ $(PAPER_PROGRAMS): $(REFERENCE_OBJECTS) $(LIBRARY)
 include tests/precision/precision.mk
 include tests/vectors/vectors.mk
 
+.PHONY: mutants
+mutants: ## change each constant, shift and rounding: do the test vectors notice? An hour or two
+	/usr/bin/python3 tests/mutation/mutate.py --out $(BUILD)/mutants
+
 TEST_OPTIONS := $(call remember,$(TEST_OUT)/options,$(CC) $(TEST_CFLAGS) $(TEST_LIBS))
 
 $(TEST_OUT)/%.o: %.c $(TEST_OPTIONS)
