@@ -93,10 +93,10 @@ static void refuse_rays(const struct ray_wish *wish, const struct settings *sett
     __attribute__((noreturn));
 static void refuse_rays(const struct ray_wish *wish, const struct settings *settings)
 {
-    bool worst = wish->worst > 0;
     struct ray_configuration best;
     char name[NAME_BYTES];
     rays_best(&best, wish);
+    bool worst = wish->worst > 0 && best.worst > wish->worst;
     sampling_name(name, &best);
     data_error(target_name(settings), worst ? "--error" : "--rms",
                "no configuration reaches all that is wanted; the best, %s with a step of %g, is "

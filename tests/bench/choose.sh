@@ -5,7 +5,8 @@
 #                                     the usual modes cost
 #     tests/bench/choose.sh report    section 3 of the precision report: all modes, frame buffers too
 set -eu
-: "${BUILD:=build}" "${QVOL:=build/host/qvol}"
+: "${BUILD:=build}"
+: "${QVOL:=$BUILD/host/qvol}"
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

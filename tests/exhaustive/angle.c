@@ -24,7 +24,7 @@ static void error_on_an_eighth_of_a_turn(void **state)
         worst = fmaxl(worst, fabsl(cosl(radians) - ldexpl(cosine, -30)));
     }
     printf("# sine and cosine: worst error %.4f * 2^-28\n", (double)ldexpl(worst, 28));
-    assert_true(worst <= ldexpl(1, -28));
+    assert_true(worst <= ldexpl(1.08L, -30)); /* as the precision report has it */
 }
 
 /* sin(90 - a) = cos(a), sin(90 + a) = cos(a), sin(-a) = -sin(a) and their like. */

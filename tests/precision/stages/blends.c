@@ -146,6 +146,9 @@ static void measure_transmit(measured *m, unsigned parameter)
 
 #define SLICES 1024
 
+/* A unit a slice, within what a state can hold. */
+#define MOST_OFF(fraction) ((fraction) == 0 ? 255 : SLICES)
+
 /* A fog of one colour and opacity, from black, each slice with its dither value. */
 static void measure_fog(measured *m, unsigned fraction, uint32_t opacity, int by_blocks)
 {
@@ -245,15 +248,15 @@ static void measure_random_hits(measured *m, unsigned unused)
          "u" format ", light u32.23",                                                              \
          "by dither",                                                                              \
          "unit",                                                                                   \
-         SLICES,                                                                                   \
+         MOST_OFF(fraction),                                                                       \
          4,                                                                                        \
          "1024 slices, 93 opacities",                                                              \
          measure_worst_dither,                                                                     \
          fraction,                                                                                 \
-         fraction == 0 ? "An 8-bit state has only 255 units to go." : NULL},                       \
+         NULL},                                                                                    \
     {                                                                                              \
-        "fog in " format ", by blocks", "u" format ", light u32.23", "by dither", "unit", SLICES,  \
-            4, "1024 slices, 93 opacities", measure_blocks, fraction,                              \
+        "fog in " format ", by blocks", "u" format ", light u32.23", "by dither", "unit",          \
+            MOST_OFF(fraction), 4, "1024 slices, 93 opacities", measure_blocks, fraction,          \
             "The bound is that of any dither values; none nearer is proved for these."             \
     }
 
@@ -287,7 +290,8 @@ const chapter chapter_blends = {
     "**Dithered.** The sum, plus a dither value below 1, is cut: less than 1 unit off. Over\n"
     "values that part 0 .. 1 evenly the mean is exact, but for 1/2 of their distance and the\n"
     "share of the fraction that is cut before, 2^(f-23). With the same value again and again\n"
-    "each slice may add 1 unit; values by blocks have a mean of 1/2 in each 8 slices.\n\n"
+    "each slice may add 1 unit, up to the 255 of an 8-bit state; values by blocks have a mean of\n"
+    "1/2 in each 8 slices.\n\n"
     "**Of 24 bits, and transmittance.** To nearest with 8 bits to spare, of which two roundings\n"
     "and a rest of 2 take up to 2: 1/2 + 2 / 256.\n\n"
     "**Hits.** Of P slices round(P o) hit: 1/2. At random, the values below hits / P are a\n"

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #define RANDOM_INPUTS 200000
+#define OF_ONE_NUMBER 16 /* times as many */
 #define STARTS        48
 #define RANDOM_PLACES 8 /* of a number, each time */
 #define BITS          64
@@ -35,6 +36,14 @@ static uint64_t random_to(uint64_t *state, uint64_t most)
     return most == UINT64_MAX ? number : number % (most + 1);
 }
 
+static unsigned width_of(uint64_t most)
+{
+    unsigned width = 0;
+    for (; most != 0; most >>= 1)
+        width++;
+    return width;
+}
+
 static double size_of(const climb *c, const uint64_t input[])
 {
     const double error = c->search->error(input, c->parameter);
@@ -55,12 +64,13 @@ static void keep(climb *c, const climber *found)
 static void try_random(measured *m, climb *c)
 {
     const search *s = c->search;
-    for (uint32_t n = 0; n < RANDOM_INPUTS; n++) {
+    const uint32_t inputs = s->numbers == 1 ? RANDOM_INPUTS * OF_ONE_NUMBER : RANDOM_INPUTS;
+    for (uint32_t n = 0; n < inputs; n++) {
         climber tried;
         for (unsigned i = 0; i < s->numbers; i++) {
             tried.input[i] = random_to(&c->random, s->most[i]);
-            if (n % 2 != 0)
-                tried.input[i] >>= random_to(&c->random, BITS - 1);
+            if (n % 2 != 0 && s->most[i] != 0)
+                tried.input[i] >>= random_to(&c->random, width_of(s->most[i]) - 1);
         }
         tried.size = size_of(c, tried.input);
         if (tried.size < 0)

@@ -1,9 +1,9 @@
 /*
  * search.h - the worst error of a stage whose inputs are too many to try them all.
  *
- * Random inputs first, for the RMS: half of them uniform, half of random magnitude. From the
- * worst of them, and from inputs of zeros and of ones, hill climbing: each number moves by powers
- * of 2, to its ends and to random places as long as the error grows. Always the same inputs.
+ * Random inputs first, for the RMS, more of stages of one number: half of them uniform, half of
+ * random magnitude. From the worst of them hill climbing: each number moves by powers of 2, to its
+ * ends and to random places as long as the error grows. Always the same inputs.
  */
 #ifndef SEARCH_H
 #define SEARCH_H

@@ -3,7 +3,7 @@
  *
  * A chapter is a derivation and the stages that it bounds. Errors are results less true values, in
  * the unit that the stage names. True values come from arithmetic on exact integers, double
- * or long double, never from the library.
+ * or long double, of what the stage is given, which an earlier stage of the library may have made.
  */
 #ifndef STAGES_H
 #define STAGES_H
