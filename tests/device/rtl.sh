@@ -34,7 +34,7 @@ columns() {
     [ -s "$work/columns" ] || return 1
     while read -r stage column; do
         first=$(echo "$column" | sed 's/[0-9]*$//')0
-        grep -Eq "\`${stage}_($column|$column"_top"|$first"_top")([^a-z0-9_]|\$)" $RTL/bench_*.v || {
+        grep -Eq "\`${stage}_($column|${column}_top|${first}_top)([^a-z0-9_]|\$)" $RTL/bench_*.v || {
             echo "no bench has column $column of $stage"
             return 1
         }
