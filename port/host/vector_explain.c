@@ -57,11 +57,22 @@ static const char *value_of(const struct vectors *vectors, size_t row, const cha
     return NULL;
 }
 
+/* Whether the text is a formula, or one name of a column; prose stays as it is. */
+static bool is_formula(const char *text)
+{
+    size_t length = 0;
+    while (is_in_name(text[length])) {
+        length++;
+    }
+    return text[length] == '\0' || strpbrk(text, "+-*/(=<>") != NULL ||
+           strstr(text, " mod ") != NULL;
+}
+
 /* The formula with a value in place of each name of a column; where that is a factor without a
-   sign, as in `256 f0`, with one. */
+   sign, as in `256 f0` and not in `n mod 5`, with one. */
 static void print_with_values(const struct vectors *vectors, size_t row, const char *text)
 {
-    char before = ' '; /* the last that was no blank */
+    bool behind_factor = false; /* the last that was no blank is a number, a column or a bracket */
     while (*text != '\0') {
         size_t length = 0;
         while (is_in_name(text[length])) {
@@ -72,11 +83,13 @@ static void print_with_values(const struct vectors *vectors, size_t row, const c
             length = 1;
         }
         if (value != NULL) {
-            printf("%s%s", is_in_name(before) || before == ')' ? "* " : "", value);
+            printf("%s%s", behind_factor ? "* " : "", value);
         } else {
             printf("%.*s", (int)length, text);
         }
-        before = text[length - 1] != ' ' ? text[length - 1] : before;
+        if (*text != ' ') {
+            behind_factor = value != NULL || isdigit((unsigned char)*text) || *text == ')';
+        }
         text += length;
     }
 }
@@ -93,9 +106,13 @@ static void explain_column(const struct vectors *vectors, size_t row, size_t col
                     vectors_field(vectors, column, FIELD_FORMAT));
         return;
     }
-    printf("= %s\n%*s= ", text, INDENTATION, "");
-    print_with_values(vectors, row, text);
-    printf("\n%*s", INDENTATION, "");
+    printf("= %s\n", text);
+    if (is_formula(text)) {
+        printf("%*s= ", INDENTATION, "");
+        print_with_values(vectors, row, text);
+        printf("\n");
+    }
+    printf("%*s", INDENTATION, "");
     print_value(table_file_cell(rows, row, column), vectors_field(vectors, column, FIELD_FORMAT));
 }
 

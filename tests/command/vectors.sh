@@ -23,10 +23,11 @@ tells() {
 }
 
 # ---- check ----------------------------------------------------------------------
+status=0
 for file in "$VECTORS"/*.csv; do
-    against "$(basename "$file" .csv)" "$file" -q || break
+    against "$(basename "$file" .csv)" "$file" -q || status=1
 done
-outcome $? "every stage equals itself"
+outcome $status "every stage equals itself"
 rows=$(($(wc -l <"$VECTORS/weights.csv") - 1))
 cut -d, -f1,11 "$VECTORS/weights.csv" >column.csv
 tells "one column of all rows" 0 "weights: $rows of $rows rows, 1 columns: equal" against weights column.csv
@@ -96,10 +97,15 @@ check "an input in its format" grep -q '^in  f0 *= 129  (u8.8: 0.50390625)$' sho
 check "a formula" grep -q '^out w1 *= 256 f0 + xyz - xy - xz$' shown
 check "the formula with numbers" grep -q '^ *= 256 \* 129 + 1 - 129 - 129$' shown
 check "its result" grep -q '^ *= 32767  (u17.16: 0.499984741)$' shown
+status=0
 for file in "$VECTORS"/*.csv; do
-    "$QVOL" vectors show "$(basename "$file" .csv)-00000" --from "$VECTORS" >shown || break
+    "$QVOL" vectors show "$(basename "$file" .csv)-00000" --from "$VECTORS" >shown || status=1
 done
-outcome $? "a row of every stage"
+outcome $status "a row of every stage"
+"$QVOL" vectors show sample8-00000 --from "$VECTORS" >shown
+check "prose stays" test "$(grep -A1 '^out skipped' shown | tail -n 1 | tr -s ' ')" = " = 1 (u1)"
+"$QVOL" vectors show hits-00003 --from "$VECTORS" >shown
+check "a name behind a word is no factor" grep -Eq '^ *= [0-9]+ mod [0-9]+$' shown
 refuses "a number too high" 2 "id: 'weights-99999' is none of the $rows rows" "$QVOL" vectors show weights-99999 --from "$VECTORS"
 refuses "no number" 2 "id: 'weights' is no id" "$QVOL" vectors show weights --from "$VECTORS"
 refuses "an id of no stage" 2 "stage: 'some' is none of" "$QVOL" vectors show some-00000 --from "$VECTORS"

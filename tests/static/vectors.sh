@@ -24,7 +24,8 @@ kept() { # kept FOLDER
     while read -r declared stage rows hash; do
         [ "$declared" = "$version" ] || continue
         [ "$(wc -l <"$1/$stage.csv")" -gt "$rows" ] || { echo "$stage: rows are gone" && return 1; }
-        [ "$(head -n $((rows + 1)) "$1/$stage.csv" | sha256sum | cut -d' ' -f1)" = "$hash" ] ||
+        first=$(head -n $((rows + 1)) "$1/$stage.csv" | sha256sum | cut -d' ' -f1)
+        [ "$first" = "$hash" ] ||
             { echo "$stage: rows changed without a new version" && return 1; }
     done <$folder/declared
 }
@@ -32,7 +33,8 @@ kept() { # kept FOLDER
 declares_all() { # each stage with all of its rows
     for file in "$1"/*.csv; do
         stage=$(basename "$file" .csv)
-        grep -q " $stage $(($(wc -l <"$file") - 1)) $(sha256sum <"$file" | cut -d' ' -f1)$" $folder/declared ||
+        rows=$(($(wc -l <"$file") - 1))
+        grep -q " $stage $rows $(sha256sum <"$file" | cut -d' ' -f1)$" $folder/declared ||
             { echo "$stage: declare it by make vectors" && return 1; }
     done
 }
@@ -40,7 +42,8 @@ declares_all() { # each stage with all of its rows
 ids_count() { # row n of a stage is STAGE-n
     for file in "$1"/*.csv; do
         awk -F, -v stage="$(basename "$file" .csv)" \
-            'NR > 1 && $1 != sprintf("%s-%05d", stage, NR - 2) { bad = 1 } END { exit bad }' "$file" ||
+            'NR > 1 && $1 != sprintf("%s-%05d", stage, NR - 2) { bad = 1 }
+             END { exit bad }' "$file" ||
             { echo "$file: ids" && return 1; }
     done
 }
@@ -49,13 +52,15 @@ headers_compile() {
     for file in "$1"/*.h; do
         printf '#include "%s"\nint main(void) { return sizeof qvol_%s_vectors == 0; }\n' \
             "$(cd "$(dirname "$file")" && pwd)/$(basename "$file")" "$(basename "$file" .h)" >"$work/use.c"
-        "$CC" -std=c99 -pedantic -Wall -Wextra -Werror -fsyntax-only "$work/use.c" || return 1
+        "$CC" -std=c99 -pedantic -Wall -Wextra -Wconversion -Wsign-conversion -Wundef -Werror \
+            -fsyntax-only "$work/use.c" || return 1
     done
 }
 
 cat >"$work/manifest.py" <<'END'
 import csv, hashlib, json, os, re, sys
 folder = sys.argv[1]
+MINIMUM = str(-2 ** 63)
 manifest = json.load(open(os.path.join(folder, "manifest.json")))
 version = re.search(r"#define QV_SPECIFICATION\s+(\d+)", open("core/qvol.h").read()).group(1)
 assert manifest["schema"] == "qvol-vectors-1" and manifest["spdx_license"] == "MIT"
@@ -74,13 +79,28 @@ for stage in manifest["stages"]:
         columns += [(field["name"] + (str(i) if n > 1 else ""), field) for i in range(n)]
     assert rows[0] == ["id", "flags"] + [name for name, _ in columns], stage["stage"]
     digits = [(field["width"] + 3) // 4 for _, field in columns]
-    hexes = [l.strip() for l in open(os.path.join(folder, stage["stage"] + ".hex")) if l[:2] != "//"]
+    lines = [l.strip() for l in open(os.path.join(folder, stage["stage"] + ".hex"))]
+    hexes = [l for l in lines if l[:2] != "//"]
     assert len(hexes) == stage["count"]
+    above = 4 * sum(digits)
+    layout = [l.split() for l in lines if l[:4] == "// ["]
+    assert len(layout) == len(columns), stage["stage"]
+    for (_, bits, *rest), count, (name, field) in zip(layout, digits, columns):
+        expected = "[%d:%d]" % (above - 1, above - 4 * count)
+        assert [bits, *rest] == [expected, name, field["format"], field["role"]], name
+        above -= 4 * count
+    header = open(os.path.join(folder, stage["stage"] + ".h")).read().replace("INT64_MIN", MINIMUM)
+    initialisers = [l for l in header.split("\n") if l[:5] == "    {"]
+    assert len(initialisers) == stage["count"], stage["stage"]
+    for row, text in zip(rows[1:], initialisers):
+        values = re.findall(r"-?\d+", re.sub(r"U?INT64_C", "", text))
+        assert values == row[2:], row[0]
     flags = dict.fromkeys(stage["coverage"], 0)
     for row, text in zip(rows[1:], hexes):
         for flag in row[1].split("+"):
             flags[flag] += 1
         parts = text.split("_")
+        assert len(parts) == len(columns), row[0]
         for value, part, count, (name, field) in zip(row[2:], parts, digits, columns):
             v, w = int(value), field["width"]
             assert len(part) == count and int(part, 16) == v % 16 ** count, (row[0], name)
@@ -95,8 +115,10 @@ check "no row that was declared has changed or gone" kept "$fresh"
 check "every row is declared" declares_all "$fresh"
 check "ids count the rows" ids_count "$fresh"
 check "the C headers compile" headers_compile "$fresh"
-check "the manifest: hashes, counts, flags, widths, and hex equals CSV" "$PYTHON" "$work/manifest.py" "$fresh"
-check "the committed vectors take at most 20 MB" test "$(cat $folder/* 2>/dev/null | wc -c)" -le 20000000
+check "the manifest: hashes, counts, flags, widths; hex, its layout and C equal CSV" \
+    "$PYTHON" "$work/manifest.py" "$fresh"
+check "the committed vectors take at most 20 MB" \
+    test "$(cat $folder/* 2>/dev/null | wc -c)" -le 20000000
 
 # A change of one bit is found, and no new line hides it.
 cp -r "$fresh" "$work/changed"
@@ -108,9 +130,10 @@ outcome $status "a changed bit fails until a new version is declared"
 # A larger set begins with the same rows.
 mkdir "$work/larger"
 check "a larger set" "$generator" "$work/larger" 1200
+status=0
 for file in "$fresh"/*.csv; do
-    head -n "$(wc -l <"$file")" "$work/larger/$(basename "$file")" | cmp -s - "$file" || break
+    head -n "$(wc -l <"$file")" "$work/larger/$(basename "$file")" | cmp - "$file" >&2 || status=1
 done
-outcome $? "a larger set begins with the committed rows"
+outcome $status "a larger set begins with the committed rows"
 check "it has more of them" test "$(wc -l <"$work/larger/over.csv")" -eq 1201
 finish

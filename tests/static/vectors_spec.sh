@@ -24,7 +24,8 @@ check "it is built without the library's headers" make -s BUILD="$BUILD" "$gener
 "$generator" --list >"$work/known"
 cut -f1 tests/vectors/fields.tsv | sed 1d | uniq >"$work/stages"
 while read -r stage; do
-    check "$stage: $(($(wc -l <"tests/vectors/$stage.csv") - 1)) rows follow from SPEC.md" same "$stage"
+    rows=$(($(wc -l <"tests/vectors/$stage.csv") - 1))
+    check "$stage: $rows rows follow from SPEC.md" same "$stage"
 done <"$work/stages"
 check "it knows these stages and no others" cmp "$work/stages" "$work/known"
 

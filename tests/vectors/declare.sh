@@ -10,5 +10,6 @@ touch "$declared"
 for file in "$folder"/*.csv; do
     rows=$(($(wc -l <"$file") - 1))
     line="$version $(basename "$file" .csv) $rows"
-    grep -q "^$line " "$declared" || echo "$line $(sha256sum <"$file" | cut -d' ' -f1)" >>"$declared"
+    grep -q "^$line " "$declared" ||
+        echo "$line $(sha256sum <"$file" | cut -d' ' -f1)" >>"$declared"
 done

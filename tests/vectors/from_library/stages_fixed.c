@@ -138,7 +138,8 @@ static void quotient_draw(void *columns, vector_random *random)
     row->n = vector_any(random, 64);
     row->d = vector_any(random, 31) | 1u;
     row->e = vector_any(random, 48) | 1u;
-    row->m = vector_bits(random, 16) * row->e + vector_bits(random, 48) % row->e;
+    row->m = vector_bits(random, 16) * row->e;
+    row->m += vector_bits(random, 48) % row->e;
     if (vector_bits(random, 2) == 0)
         row->m = vector_any(random, 63);
 }

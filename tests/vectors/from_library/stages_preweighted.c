@@ -77,7 +77,8 @@ static void draw(void *columns, vector_random *random)
     for (unsigned axis = 0; axis < 3; axis++)
         row->f[axis] = vector_any(random, 8);
     for (unsigned q = 0; q < 8; q++) {
-        row->channel[3][q] = vector_any(random, 8) * (sparse ? vector_bits(random, 1) : 1);
+        row->channel[3][q] = vector_any(random, 8);
+        row->channel[3][q] *= sparse ? vector_bits(random, 1) : 1;
         for (unsigned c = 0; c < 3; c++)
             row->channel[c][q] = vector_bits(random, 8) * row->channel[3][q] / 255u;
     }
