@@ -6,7 +6,8 @@ set -u
 BUILD=${BUILD:-build}
 export BUILD
 
-check "the program is built" make -s BUILD="$BUILD" "$BUILD/tests/advise/errors"
+check "the programs are built" \
+    make -s BUILD="$BUILD" "$BUILD/tests/advise/errors" "$BUILD/host/qvol"
 check "errors are measured" sh -c '"$1" >"$2"' - "$BUILD/tests/advise/errors" "$work/measured"
 check "the table is read" sh -c 'tests/bench/advise.sh lines | grep "^error " >"$1"' - "$work/table"
 check "every mode has its errors" sh -c 'sort "$1" | diff -u "$2" -' - "$work/measured" "$work/table"
