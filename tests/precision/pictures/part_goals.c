@@ -250,7 +250,7 @@ static void real_voxels(const char *folder)
     printf(
         "- %s: RGBA16, 12 scenes, against real voxels and unrounded points: PSNR before packing "
         "%.1f dB in\n  the worst scene, %u of %u below %.0f; %.1f %% equal after packing in the "
-        "worst,\n  none more than 1 of 255 off. Of noise and sharp edges that is the point, "
+        "worst, none more\n  than 1 of 255 off. Of noise and sharp edges that is the point, "
         "rounded "
         "to 1/256 voxel: with 10 fraction bits\n  it would be %.1f dB and %u below, no more with "
         "unrounded points (%.1f and %u). That one, mist, sees\n  its small opacities rounded to "
