@@ -127,7 +127,7 @@ static void add_spread(FILE *table, basis by, double tau, double d)
                            constant ? most : share * found.exact};
     paper_table_add(table, &raw);
     (void)snprintf(what, sizeof what, "same, points and voxels as stored");
-    const paper_row stored = {what, "-", found.quantised, found.ours, constant ? most : 0.0005};
+    const paper_row stored = {what, "-", found.quantised, found.ours, constant ? most : 1e-6};
     paper_table_add(table, &stored);
 }
 
