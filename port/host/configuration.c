@@ -6,6 +6,7 @@
 
 #include "advise_table.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -113,7 +114,21 @@ static bool is_wanted(const struct blend_figures *blend, const struct buffer_wis
            (wish->residual < 0 || blend->residual == wish->residual);
 }
 
-/* Whether the library would take this blend for its bits. */
+/* At most what so many blends are off, levels of 255. Each rounds by less than 1 of the state's last
+   unit, by dither; a plain one by 1/2, its colour and its opacity by 1/2 each, too. It multiplies
+   what is off before by 1 at most. Beside them what lies behind is rounded where it has fewer than
+   8 bits, and where it has more, the level that is read. */
+static double most_of_slices(const struct blend_figures *blend, unsigned slices)
+{
+    const unsigned whole = blend->bits < 8 ? blend->bits : 8;
+    const unsigned fraction = blend->residual + (blend->bits - whole);
+    const double unit = 255.0 / (double)((1UL << whole) - 1) / (double)(1UL << fraction);
+    const double each = blend->advice == QV_ADVICE_PLAIN ? 1.5 : 1;
+    const double beside = (whole < 8 ? unit / 2 : 0) + (fraction > 0 ? 0.5 : 0);
+    return ceil(LEVEL * (slices * each * unit + beside)) / LEVEL;
+}
+
+/* Whether the library would take this blend for its bits. Its table begins at 64 slices. */
 static bool is_recommended(struct buffer_configuration *made, const struct blend_figures *blend,
                            const struct buffer_wish *wish)
 {
@@ -123,8 +138,9 @@ static bool is_recommended(struct buffer_configuration *made, const struct blend
     if (status != QV_OK || recommendation.advice != blend->advice) {
         return false;
     }
-    *made = (struct buffer_configuration){blend, recommendation.worst / LEVEL,
-                                          recommendation.worst_fog / LEVEL,
+    const double most = most_of_slices(blend, wish->slices);
+    *made = (struct buffer_configuration){blend, fmin(recommendation.worst / LEVEL, most),
+                                          fmin(recommendation.worst_fog / LEVEL, most),
                                           blend->cost[wish->target - 1]};
     return true;
 }

@@ -90,7 +90,8 @@ struct buffer_configuration {
     unsigned pixel;          /* what a pixel of a slice costs */
 };
 
-/* As for rays; errors are those of qv_recommend. A residual goes with 8 bits. */
+/* As for rays; errors are those of qv_recommend, or what so few slices can round, where that is
+   less. A residual goes with 8 bits. */
 unsigned buffers_within(struct buffer_configuration found[CONFIGURATION_MOST],
                         const struct buffer_wish *wish);
 void buffers_best(struct buffer_configuration *best, const struct buffer_wish *wish);

@@ -22,39 +22,60 @@ first() {
     sed -n "s/^ *\"$1\": \"*\([^\",]*\)\"*,*\$/\1/p" | head -n 1
 }
 
-cell() { # cell TARGET ERROR OPTION...
-    target=$1 error=$2
+# advise TARGET ERROR OPTION...: the report; fails where nothing reaches the error, which qvol tells
+# by status 1. Any other failure ends the program, so this must not run in a subshell.
+advise() {
+    target=$1 error=$2 status=0
     shift 2
-    if ! "$QVOL" advise --target "$target" --error "$error" "$@" --json >"$work/report" \
-        2>/dev/null; then
-        echo "-"
-        return
+    "$QVOL" advise --target "$target" --error "$error" "$@" --json >"$work/report" \
+        2>"$work/message" || status=$?
+    if [ $status -gt 1 ]; then
+        cat "$work/message" >&2
+        exit $status
     fi
-    name=$(first sampling <"$work/report")
-    printf '%s, %s: %.0f\n' "${name#qv_}" "$(first step <"$work/report")" \
-        "$(first cost_of_voxel <"$work/report")"
+    return $status
 }
 
-row() { # row NAME ERROR OPTION...
-    printf '| %s | %s |' "$1" "$2"
+# rows NAME ERROR OPTION...: one for each configuration that is the cheapest somewhere.
+rows() {
+    name=$1
     shift
-    for target in $CLASSES; do
-        printf ' %s |' "$(cell "$target" "$@")"
-    done
-    echo
+    for class in $CLASSES; do
+        if advise "$class" "$@"; then
+            echo "$(first sampling <"$work/report") $(first step <"$work/report")" \
+                "$(first cost_of_voxel <"$work/report") $class"
+        else
+            echo "nothing - - $class"
+        fi
+    done >"$work/found"
+    awk -v name="$name" -v error="$1" -v classes="$CLASSES" '
+        {
+            sub(/^qv_/, "", $1)
+            row = $1 " | " $2
+            if (!(row in seen)) { seen[row] = 1; order[++count] = row }
+            cost[row, $4] = $3 == "-" ? "-" : sprintf("%.0f", $3)
+        }
+        END {
+            columns = split(classes, class, " ")
+            for (r = 1; r <= count; r++) {
+                printf "| %s | %s | %s |", name, error, order[r]
+                for (c = 1; c <= columns; c++) printf " %s |", cost[order[r], class[c]]
+                print ""
+            }
+        }' "$work/found"
 }
 
 cheapest() {
-    echo "| errors from | at most | $(echo "$CLASSES" | sed 's/ / | /g') |"
-    echo "|---|---|$(echo "$CLASSES" | sed 's/[a-z0-9-]* */---|/g')"
-    for error in 0.3 1 4 16 64; do
-        row "the medium" $error
+    echo "| errors from | at most | mode and storage | step | $(echo "$CLASSES" | sed 's/ / | /g') |"
+    echo "|---|---|---|---|$(echo "$CLASSES" | sed 's/[a-z0-9-]* */---|/g')"
+    for wanted in 0.3 1 4 16 64; do
+        rows "the medium" $wanted
     done
-    for error in 1 4 16; do
-        row "the medium, 1 byte a voxel" $error --voxel-bytes 1
+    for wanted in 1 4 16; do
+        rows "the medium, 1 byte a voxel" $wanted --voxel-bytes 1
     done
-    for error in 0.6 4 16; do
-        row "the same samples" $error --against samples
+    for wanted in 0.6 4 16; do
+        rows "the same samples" $wanted --against samples
     done
 }
 
@@ -98,11 +119,10 @@ buffers() {
     echo "| of 1000 slices | at most | $(echo "$CLASSES" | sed 's/ / | /g') |"
     echo "|---|---|$(echo "$CLASSES" | sed 's/[a-z0-9-]* */---|/g')"
     for content in any fog; do
-        for error in 0.55 1 5 30; do
-            printf '| %s | %s |' "$content" $error
-            for target in $CLASSES; do
-                "$QVOL" advise --target "$target" --error $error --content $content --json \
-                    >"$work/report" 2>/dev/null || { printf ' - |'; continue; }
+        for wanted in 0.55 1 5 30; do
+            printf '| %s | %s |' "$content" $wanted
+            for class in $CLASSES; do
+                advise "$class" $wanted --content $content --slices 1000 || { printf ' - |'; continue; }
                 name=$(first blend <"$work/report")
                 printf ' %s: %s |' "${name#qv_}" "$(first cost_of_pixel <"$work/report")"
             done
@@ -114,8 +134,9 @@ buffers() {
 if [ "${1:-}" != report ]; then
     cat <<'END'
 The cheapest of each class, for errors that no pixel may exceed: mode and storage, step in voxels,
-and instructions (avr: cycles) for a voxel's length of a ray. Where opacities hold for a length, the
-medium is what counts; where they hold for a step, as in `weighted`, what the same samples show:
+and instructions (avr: cycles) for a voxel's length of a ray. An empty cell: another row for that
+error is cheaper there. Where opacities hold for a length, the medium is what counts; where they hold
+for a step, as in `weighted`, what the same samples show:
 
 END
     cheapest
@@ -139,8 +160,9 @@ from the same samples is what storage and integers add.
 
 ### 3.1 The cheapest configuration
 
-Mode and storage, step in voxels, and instructions (avr: cycles) for a voxel's length of a ray; a
-dash where nothing reaches it.
+Mode and storage, step in voxels, and instructions (avr: cycles) for a voxel's length of a ray: a row
+for each configuration that is the cheapest somewhere. A cell is empty where another one is cheaper,
+a dash where nothing reaches the error.
 
 END
 cheapest

@@ -102,6 +102,13 @@ check "8 bits of anything are dithered" buffer "qv_over_rgb888," 29.69 --slices 
 check "a tighter error takes residuals" buffer "qv_over_rgb888_residual8," 1 --slices 1024 --framebuffer 8
 check "4 bits of residual" buffer "qv_over_rgb888_residual4," 5 --residual 4
 check "a fog is easier" buffer "qv_over_rgb888," 5.5 --content fog --framebuffer 8
+# A dithered blend is off by less than a level, or a unit of its residual and 1/2 for reading.
+check "one slice is off by a level" buffer "at most 1.00 of 255, in a constant fog 1.00" 2 \
+    --slices 1 --framebuffer 8
+check "four slices, 4 bits of residual" buffer "at most 0.75 of 255" 2 \
+    --slices 4 --framebuffer 8 --residual 4
+check "few bits, three slices" buffer "at most 28.80 of 255, in a constant fog 27.20" 30 \
+    --slices 3 --framebuffer 565
 check "24 bits are rounded" buffer "dither    none" 0.6 --framebuffer 24
 check "few bits of high opacity are rounded" buffer "qv_hardware_rgb565_rounded," 14 \
     --framebuffer 565 --opacity 0.9

@@ -118,14 +118,16 @@ static spreads spreads_over_r(basis by, double tau, double d)
 static void add_spread(FILE *table, basis by, double tau, double d)
 {
     const double most = 2.0 / PAPER_FULL; /* where the phase must not matter at all */
+    const double share = 0.04; /* else: points are rounded to 1/256 voxel, where opacity is steep */
     const bool constant = by == BY_EXTINCTION && floor(1 / d) == 1 / d;
     const spreads found = spreads_over_r(by, tau, d);
     char what[96];
     (void)snprintf(what, sizeof what, "spread, %s, tau %g, d %g", methods[by].name, tau, d);
-    const paper_row raw = {what, "-", found.exact, found.ours, constant ? most : 0.0025};
+    const paper_row raw = {what, "-", found.exact, found.ours,
+                           constant ? most : share * found.exact};
     paper_table_add(table, &raw);
     (void)snprintf(what, sizeof what, "same, points and voxels as stored");
-    const paper_row stored = {what, "-", found.quantised, found.ours, constant ? most : 0.0005};
+    const paper_row stored = {what, "-", found.quantised, found.ours, constant ? most : 1e-6};
     paper_table_add(table, &stored);
 }
 
@@ -162,6 +164,35 @@ static void figure4(FILE *table, const char *folder, basis by)
     }
 }
 
+/* ---- Where it breaks ------------------------------------------------------------------ */
+
+/* The first step whose opacity varies by 1/20: by what is exact, or by ours. */
+static double breaks_at(double tau, bool exactly)
+{
+    const double first = 1.02, apart = 0.02, last = 2, broken = 0.05;
+    double d = first;
+    for (; d < last; d += apart) {
+        const spreads found = spreads_over_r(BY_EXTINCTION, tau, d);
+        if ((exactly ? found.exact : found.ours) >= broken) {
+            break;
+        }
+    }
+    return d;
+}
+
+/* Allowed is one step of d beside. */
+static void add_breaks(FILE *table)
+{
+    static const double walls[] = {2, 4, 8, 16};
+    for (size_t i = 0; i < sizeof walls / sizeof walls[0]; i++) {
+        char what[96];
+        (void)snprintf(what, sizeof what, "extinction, tau %g: breaks at d", walls[i]);
+        const paper_row row = {what, "-", breaks_at(walls[i], true), breaks_at(walls[i], false),
+                               0.021};
+        paper_table_add(table, &row);
+    }
+}
+
 /* ---- Section 3.5: d' = 1 and d towards 0 ------------------------------------------- */
 
 /* What equation 16 tends to: the integral of -ln(1 - opacity) along the ray. */
@@ -192,6 +223,7 @@ void one_vertex(FILE *table, const char *folder)
     paper_table_begin(table, "\n## Figure 4: spread over r of a ray's opacity");
     figure4(table, folder, BY_OPACITY);
     figure4(table, folder, BY_EXTINCTION);
+    add_breaks(table);
     paper_table_begin(table, "\n## Section 3.5: small steps do not help opacities for d' = 1");
     for (size_t t = 0; t < sizeof taus / sizeof taus[0]; t++) {
         add_limit(table, BY_OPACITY, taus[t], limit(taus[t]), 0.001);

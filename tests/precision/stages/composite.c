@@ -215,16 +215,17 @@ static void measure_over(measured *m, unsigned n)
         name ", n = " #n, "u32.32 to u32.31", rounding, "2^-31", bound, within, "greedy", measure, \
             n, NULL                                                                                \
     }
-/* The first sample meets nothing, and rounds once. */
-#define ROWS(name, measure, bound, rounding)                                                       \
-    ROW(name, 1, measure, .5, 2, rounding), ROW(name, 16, measure, 16 * (bound), 4, rounding),     \
-        ROW(name, 256, measure, 256 * (bound), 4, rounding),                                       \
-        ROW(name, 4096, measure, 4096 * (bound), 4, rounding)
+/* n samples are off by at most n * each - less; one is no chain. */
+#define ROWS(name, measure, each, less, rounding)                                                  \
+    ROW(name, 1, measure, .5, 2, rounding),                                                        \
+        ROW(name, 16, measure, 16 * (each) - (less), 4, rounding),                                 \
+        ROW(name, 256, measure, 256 * (each) - (less), 4, rounding),                               \
+        ROW(name, 4096, measure, 4096 * (each) - (less), 4, rounding)
 
 static const stage stages[] = {
-    ROWS("transmittance", measure_transmittance, .5, "product, to nearest"),
-    ROWS("light, front to back", measure_under, 1., "two products, to nearest"),
-    ROWS("light, back to front", measure_over, 1., "product and half, to nearest"),
+    ROWS("transmittance", measure_transmittance, .5, 0, "product, to nearest"),
+    ROWS("light, front to back", measure_under, 1, .5, "two products, to nearest"),
+    ROWS("light, back to front", measure_over, 1, .5, "product and half, to nearest"),
 };
 
 const chapter chapter_composite = {
@@ -237,9 +238,10 @@ const chapter chapter_composite = {
     "1/2: after n samples at most n / 2 of 2^-31.\n\n"
     "**Front to back.** Light and transmittance share what there is: what a sample takes from\n"
     "an error of transmittance is all that it can add to that of light, besides the rounding of\n"
-    "its own product, 1/2. So both together are off by at most n / 2 + n / 2.\n\n"
+    "its own product, 1/2. So both together are off by at most n / 2 + n / 2; of these the\n"
+    "last rounding of transmittance meets no light: n - 1/2.\n\n"
     "**Back to front.** A sample takes from the error so far, and rounds twice: the product by\n"
-    "1/2, half of its light by 1/2.\n\n"
+    "1/2, half of its light by 1/2; the first one has no light behind it to multiply: n - 1/2.\n\n"
     "Half an odd light is a tie, which goes upwards: of random rays too, light is n / 4 high on\n"
     "average.\n\n"
     "Front to back, errors of random rays grow with the root of n or less, as their RMS shows.\n"

@@ -67,7 +67,7 @@ static void measure_log(measured *m, unsigned parameter)
     search_worst(m, &s, parameter);
 }
 
-/* Of every opacity but the full one, whose depth is 64 by decree. */
+/* Of every opacity but the full one, whose depth is 64 by definition. */
 static void measure_extinction(measured *m, unsigned full)
 {
     for (uint32_t a = 0; a < full; a++) {
