@@ -345,6 +345,18 @@ static void downsample_edges(vector_set *set)
     }
 }
 
+/* The least weight that is not 0: what is added to it shows in the colours. */
+static void downsample_added(vector_set *set)
+{
+    for (unsigned i = 0; i < 12; i++) {
+        downsample_row row = {.n = {2, 2, 2}, .filter = i % 3, .converted = i / 3 % 2, .wide = 1};
+        for (unsigned v = 0; v < 24; v++)
+            row.channel[v / 8][v % 8] = 65535 - 7 * (v / 8);
+        row.channel[3][i / 6 * 7] = 1;
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field downsample_fields[] = {
     {"n", 3, 'i', "u4", "voxels on axis [i]; 8 in all at most"},
     {"filter", 1, 'i', "u2", "0 box of two, 1 box of four, 2 the third of section 34"},
@@ -369,6 +381,7 @@ const vector_stage stage_downsample = {
     .seed = 34,
     .random_rows = 250,
     .edges = downsample_edges,
+    .added = downsample_added,
     .draw = downsample_draw,
     .compute = downsample_compute,
 };
