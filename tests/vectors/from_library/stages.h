@@ -82,4 +82,7 @@ extern const vector_stage stage_preweighted_under, stage_preweighted_over;
 /* stages_picture.c */
 extern const vector_stage stage_picture;
 
+/* stages_several.c */
+extern const vector_stage stage_line, stage_palette, stage_coarser, stage_associated;
+
 #endif
