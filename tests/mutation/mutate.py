@@ -219,7 +219,7 @@ def examine(options, path, start, old, new):
 
 
 def sample_tasks(options):
-    """The changes that a file lists: path, what stands there once, what shall, with tabs between."""
+    """The changes that a file lists: path, what stands there once, what shall; tabs between."""
     tasks = []
     for line in read(options.sample).splitlines():
         if line.startswith("#"):
