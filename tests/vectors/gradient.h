@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* clang-format off */
-#define QVOL_GRADIENT_VECTORS 355 /* specification 1 */
+#define QVOL_GRADIENT_VECTORS 356 /* specification 1 */
 
 typedef struct qvol_gradient_vector {
     int32_t d[3]; /* in, s17 */
@@ -376,6 +376,7 @@ static const qvol_gradient_vector qvol_gradient_vectors[] = {
     {{4, 0, 1}, {9999999u, 65537u, 65536u}, 1u, 129u, UINT64_C(4295032832), UINT64_C(655359934464), UINT64_C(655369934463), 0u, {0, 0, 0}},
     {{0, 0, 255}, {9999999u, 65537u, 65536u}, 1u, 32640u, UINT64_C(4295032832), UINT64_C(655359934464), UINT64_C(655369934463), 1u, {0, 0, -1073741824}},
     {{4, 0, 255}, {9999999u, 65537u, 65536u}, 1u, 32641u, UINT64_C(4295032832), UINT64_C(655359934464), UINT64_C(655369934463), 0u, {0, 0, 0}},
+    {{1024, 1, 0}, {4096u, 4096u, 4096u}, 387u, 5419u, UINT64_C(16777216), UINT64_C(16777216), UINT64_C(16777216), 0u, {0, 0, 0}},
 };
 
 #endif

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* clang-format off */
-#define QVOL_MEDIUM_VECTORS 406 /* specification 1 */
+#define QVOL_MEDIUM_VECTORS 407 /* specification 1 */
 
 typedef struct qvol_medium_vector {
     uint8_t model; /* in, u2 */
@@ -430,6 +430,7 @@ static const qvol_medium_vector qvol_medium_vectors[] = {
     {1u, 0u, 1048576u, 0u, 16777215u, 10u, 67108864u, UINT64_C(4521260532887535), 2907269u, 22u, UINT64_C(4629770785676835840), 2977043456u},
     {0u, 0u, 1048576u, 1048576u, 0u, 11u, 134217728u, UINT64_C(4294967296), 1048576u, 12u, UINT64_C(8796093022208), 2147483648u},
     {1u, 1u, 1048576u, 0u, 8388607u, 11u, 134217728u, UINT64_C(8796226191344), 1453634u, 22u, UINT64_C(18014671239872512), 2977042432u},
+    {0u, 0u, 1048576u, 1073741953u, 0u, 0u, 65536u, UINT64_C(4194303), 2097151u, 1u, UINT64_C(4194303), 2097151u},
 };
 
 #endif

@@ -120,6 +120,8 @@ static void clip_added(vector_set *set)
         row.in.place[0] = (i < 6 ? 0 : (INT64_C(4096) << 32) - 1) - firsts[i % 6] * step;
         vector_add(set, &row, VECTOR_EDGE | VECTOR_OVERFLOW);
     }
+    const clip_row slow = {.in = {{4, 4, 4}, {-5, INT64_C(4) << 32, 7}, {1, -1, 0}}}; /* shortest */
+    vector_add(set, &slow, VECTOR_EDGE);
     for (unsigned i = 0; i < 12; i++) { /* the longest steps */
         const int64_t step = (i < 6 ? 1 : -1) * (INT64_C(1) << 40);
         clip_row row = {.in = {.n = {4096, 4096, 4096}, .advance = {step, -step, step}},
@@ -211,6 +213,8 @@ static void way_added(vector_set *set)
                                            {6308485290, -3694678981, -4118747260}}}};
     for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++)
         vector_add(set, &rows[i], VECTOR_EDGE);
+    const way_row slow = {.in = {{4, 4, 4}, {-5, INT64_C(4) << 32, 7}, {1, -1, 0}}, .eye = 1};
+    vector_add(set, &slow, VECTOR_EDGE); /* the shortest steps that there are */
 }
 
 static const vector_field way_fields[] = {

@@ -97,6 +97,9 @@ static void medium_added(vector_set *set)
         if (depth.extinction <= UINT32_MAX)
             vector_add(set, &depth, VECTOR_EDGE | VECTOR_OVERFLOW);
     }
+    /* found by search: without its lowest bit this unit distance has another ratio */
+    const medium_row odd = {.step = 1 << 20, .unit = 1073741953, .length = 65536};
+    vector_add(set, &odd, VECTOR_EDGE);
 }
 
 static const vector_field medium_fields[] = {

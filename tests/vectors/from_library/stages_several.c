@@ -24,13 +24,24 @@ static const qv_format *const formats[FORMATS] = {
     &qv_format_rgb565_le, &qv_format_rgb565_be,       &qv_format_l8,
     &qv_format_grey4,     &qv_format_mono_horizontal, &qv_format_mono_vertical};
 
+/* White pixels, all bits of which the line replaces. */
+static void fill(uint8_t bytes[LINE_BYTES], const qv_format *format, uint32_t y)
+{
+    const uint32_t white = QV_LEVEL_ONE;
+    memset(bytes, 0, LINE_BYTES);
+    for (uint32_t x = 0; x < PIXELS; x++) {
+        const qv_pixel pixel = {{white, white, white, white}, x, y};
+        format->store(bytes, x, y, &pixel);
+    }
+}
+
 static unsigned line_compute(void *columns)
 {
     line_row *row = columns;
     const uint32_t y = (uint32_t)row->y;
     for (unsigned i = 0; i < FORMATS; i++) {
         uint8_t bytes[LINE_BYTES];
-        memset(bytes, 0, sizeof bytes);
+        fill(bytes, formats[i], y);
         for (uint32_t x = 0; x < PIXELS; x++) {
             qv_pixel pixel = {{0, 0, 0, 0}, x, y};
             for (unsigned c = 0; c < 4; c++)

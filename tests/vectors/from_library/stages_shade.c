@@ -122,6 +122,10 @@ static void gradient_added(vector_set *set)
     }
     add_longest(set);
     add_odd_squares(set);
+    /* 387 * 5419 = 2^21 + 1: shorter than the least in the lowest word of the squares alone */
+    const gradient_row shorter = {
+        .d = {1024, 1, 0}, .spacing = {4096, 4096, 4096}, .least = 387, .window = 5419};
+    vector_add(set, &shorter, VECTOR_EDGE);
 }
 
 static const vector_field gradient_fields[] = {
