@@ -12,6 +12,7 @@
 #define QV_CORRECT_H
 
 #include "composite.h"
+#include "fx_inline.h"
 #include "fx_phi.h"
 #include "medium.h"
 #include "sample.h"
@@ -26,8 +27,7 @@ typedef struct qv_gathered {
 typedef void qv_model(qv_light *light, qv_gathered *gathered, const qv_sample *sample,
                       const qv_medium *medium, unsigned storage);
 
-/* The two models, front to back and back to front: functions of their own, so that what they keep
-   on the stack is gone when the next sample is made. Corrected opacity gathers nothing. */
+/* The two models, front to back and back to front. Corrected opacity gathers nothing. */
 qv_model qv_corrected_under, qv_corrected_over, qv_extinction_under, qv_extinction_over;
 
 /* Light summed up, in half the unit of the sample. */
@@ -76,6 +76,26 @@ FX_INLINE uint32_t qv_correct(uint32_t colour[3], const qv_sample *sample, const
     return qv_opacity_of_q31(fx_opacity(corrected));
 }
 
+FX_INLINE void qv_corrected_under_body(qv_light *light, qv_gathered *gathered,
+                                       const qv_sample *sample, const qv_medium *medium,
+                                       unsigned storage)
+{
+    uint32_t colour[3];
+    uint32_t opacity = qv_correct(colour, sample, medium, storage);
+    (void)gathered;
+    qv_under(light, colour, opacity);
+}
+
+FX_INLINE void qv_corrected_over_body(qv_light *light, qv_gathered *gathered,
+                                      const qv_sample *sample, const qv_medium *medium,
+                                      unsigned storage)
+{
+    uint32_t colour[3];
+    uint32_t opacity = qv_correct(colour, sample, medium, storage);
+    (void)gathered;
+    qv_over(light, colour, opacity);
+}
+
 /* ---- Extinction-based ------------------------------------------------------- */
 
 /* The depth of a sample: its extinction sum times what 2^32 units are worth. */
@@ -93,5 +113,46 @@ FX_INLINE uint32_t qv_light_factor(uint32_t transmittance, fx_depth depth, const
     uint32_t seen = (uint32_t)(fx_wide_product(transmittance, fx_phi(depth)) >> 32); /* <= 2^30 */
     return (uint32_t)(fx_wide_product(seen << 1, medium->light) >> 32);
 }
+
+FX_INLINE void qv_extinction_under_body(qv_light *light, qv_gathered *gathered,
+                                        const qv_sample *sample, const qv_medium *medium,
+                                        unsigned storage)
+{
+    fx_depth depth = qv_sample_depth(sample, medium);
+    uint32_t factor = qv_light_factor(light->transmittance, depth, medium);
+    (void)storage;
+    /* all light together is at most 1 and a little: half of what 64 bits hold */
+    gathered->light[0] += fx_wide_product(fx_sum_bits(sample->light[0]), factor) >> sample->scale;
+    gathered->light[1] += fx_wide_product(fx_sum_bits(sample->light[1]), factor) >> sample->scale;
+    gathered->light[2] += fx_wide_product(fx_sum_bits(sample->light[2]), factor) >> sample->scale;
+    gathered->depth += depth; /* the sum was below 32, since something was transmitted */
+    light->transmittance = fx_transmittance(gathered->depth);
+}
+
+FX_INLINE void qv_extinction_over_body(qv_light *light, qv_gathered *gathered,
+                                       const qv_sample *sample, const qv_medium *medium,
+                                       unsigned storage)
+{
+    fx_depth depth = qv_sample_depth(sample, medium);
+    uint32_t factor = qv_light_factor(QV_CLEAR, depth, medium);
+    uint32_t opacity = qv_opacity_of_q31(fx_opacity(depth));
+    (void)storage;
+    for (unsigned c = 0; c < 3; c++) {
+        uint64_t term = fx_wide_product(fx_sum_bits(sample->light[c]), factor);
+        light->colour[c] -= fx_high_product(light->colour[c], opacity);
+        light->colour[c] += (uint32_t)(term >> sample->scale >> (32u - medium->light_shift));
+    }
+    if (gathered->depth < FX_OPAQUE_DEPTH) /* beyond, more depth changes nothing */
+        gathered->depth += depth;
+    light->transmittance = fx_transmittance(gathered->depth);
+}
+
+/* How a loop has a model: as a function, whose stack frame is gone when the next sample is made, or
+   as a part of itself. */
+#if FX_SMALL
+#define QV_MODEL(name) name
+#else
+#define QV_MODEL(name) name##_body
+#endif
 
 #endif /* QV_CORRECT_H */

@@ -18,17 +18,17 @@ typedef struct qv_family {
     qv_bring *bring; /* null where voxels lie in memory */
 } qv_family;
 
-static const qv_family qv_family_corrected = {qv_sample_weighted, qv_corrected_under,
-                                              qv_corrected_over, 0, 0};
-static const qv_family qv_family_extinction = {qv_sample_weighted, qv_extinction_under,
-                                               qv_extinction_over, 1, 0};
-static const qv_family qv_family_converted = {qv_sample_converted, qv_extinction_under,
-                                              qv_extinction_over, 1, 0};
-static const qv_family qv_family_bspline_corrected = {qv_bspline_weighted, qv_corrected_under,
-                                                      qv_corrected_over, 0, 0};
-static const qv_family qv_family_bspline_extinction = {qv_bspline_weighted, qv_extinction_under,
-                                                       qv_extinction_over, 1, 0};
-static const qv_family qv_family_bspline_converted = {qv_bspline_converted, qv_extinction_under,
-                                                      qv_extinction_over, 1, 0};
+static const qv_family qv_family_corrected = {qv_sample_weighted, QV_MODEL(qv_corrected_under),
+                                              QV_MODEL(qv_corrected_over), 0, 0};
+static const qv_family qv_family_extinction = {qv_sample_weighted, QV_MODEL(qv_extinction_under),
+                                               QV_MODEL(qv_extinction_over), 1, 0};
+static const qv_family qv_family_converted = {qv_sample_converted, QV_MODEL(qv_extinction_under),
+                                              QV_MODEL(qv_extinction_over), 1, 0};
+static const qv_family qv_family_bspline_corrected = {
+    qv_bspline_weighted, QV_MODEL(qv_corrected_under), QV_MODEL(qv_corrected_over), 0, 0};
+static const qv_family qv_family_bspline_extinction = {
+    qv_bspline_weighted, QV_MODEL(qv_extinction_under), QV_MODEL(qv_extinction_over), 1, 0};
+static const qv_family qv_family_bspline_converted = {
+    qv_bspline_converted, QV_MODEL(qv_extinction_under), QV_MODEL(qv_extinction_over), 1, 0};
 
 #endif /* QV_FAMILIES_H */

@@ -20,8 +20,8 @@ FX_INLINE void qv_advance_run(qv_run *run, qv_ray *ray)
 struct qv_levels;
 
 /* Looks at the point where a ray stands, in a volume or in two of its levels; returns 0 where
-   there is nothing to see. Functions of their own, so that what they keep on the stack is gone
-   when the next run is looked for. */
+   there is nothing to see. Apart where size counts, so that what they keep on the stack is
+   gone when the next run is looked for. */
 typedef int qv_look(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,
                     struct qv_levels *levels);
 
@@ -105,8 +105,8 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
  * before the loop over its pieces has its stack frame.
  */
 #define QV_DEFINE_BY_LENGTH(mode, suffix, prepare, family, read_out, storage)                      \
-    static FX_NOINLINE int look_##suffix(qv_sample *sample, const qv_ray *ray,                     \
-                                         const qv_volume *volume, struct qv_levels *levels)        \
+    FX_APART int look_##suffix(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,      \
+                               struct qv_levels *levels)                                           \
     {                                                                                              \
         (void)levels;                                                                              \
         return qv_look_at_volume(sample, ray, volume, storage, family);                            \

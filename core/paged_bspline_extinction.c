@@ -1,7 +1,7 @@
 #include "paged_march.h"
 
-static const qv_family family = {qv_paged_bspline_weighted, qv_extinction_under, qv_extinction_over,
-                                 1, 0};
+static const qv_family family = {qv_paged_bspline_weighted, QV_MODEL(qv_extinction_under),
+                                 QV_MODEL(qv_extinction_over), 1, 0};
 
 static qv_status prepare_bspline_extinction_extinction(qv_context *context, const qv_scene *scene)
 {

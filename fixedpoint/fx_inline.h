@@ -19,9 +19,19 @@
 #define FX_NOINLINE
 #endif
 
+/* Where size counts, -Os, parts of an inner loop are functions that modes share, and frames are
+   small; else the loop is one piece, which costs stack and saves calls. */
+#if defined(__OPTIMIZE_SIZE__)
+#define FX_SMALL 1
+#define FX_APART static FX_NOINLINE
+#else
+#define FX_SMALL 0
+#define FX_APART FX_INLINE
+#endif
+
 /* In front of a loop of at most 8 rounds whose arrays are to become registers. Where size counts,
    it stays a loop; other compilers decide for themselves. */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !FX_SMALL
 #define FX_UNROLL _Pragma("GCC unroll 8")
 #else
 #define FX_UNROLL

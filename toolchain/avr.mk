@@ -9,6 +9,8 @@ BENCH_rgba16 := ALL(rgba16)
 BENCH_indexed8 := ALL(indexed8)
 BENCH_indexed8_16 := ALL(indexed8_16)
 BENCH_stored := STORED(rgbt8), STORED(rgbt16), STORED(indexed8_t8), STORED(indexed8_t16)
+# Of long code, and of a small volume.
+$(TARGET_BENCHES:%=$(OUT)/%.elf): TARGET_LDFLAGS += -Wl,--defsym=volumes_begin=0x1A000
 TARGET_FIRMWARE := bench float functions blends planet ball pages freevoxels
 include toolchain/shared/avr.mk
 

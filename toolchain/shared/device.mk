@@ -109,7 +109,7 @@ $(OUT)/%.o: $(OUT)/%.c $(DEVICE_OPTIONS)
 define link_firmware
 $(OUT)/$(1).elf: $(call objects,$(FIRMWARE_$(1))) $(DEVICE_OBJECTS) $(LIBRARY) $(TARGET_SCRIPTS)
 	@echo "  LD  $$@"
-	@$(TARGET_CC) $(TARGET_LDFLAGS) -Wl,-Map,$$(@:.elf=.map) $$(filter %.o,$$^) $(LIBRARY) \
+	@$(TARGET_CC) $$(TARGET_LDFLAGS) -Wl,-Map,$$(@:.elf=.map) $$(filter %.o,$$^) $(LIBRARY) \
 		$(TARGET_LDLIBS) -o $$@
 -include $(patsubst %.o,%.d,$(call objects,$(FIRMWARE_$(1))))
 endef
