@@ -8,7 +8,8 @@ import sys
 
 TOKEN = re.compile(r"""
     (?P<skip>/\*.*?\*/|\s+|\\\n|//[^\n]*)
-  | (?P<directive>\#[ \t]*(?:include|if|ifdef|ifndef|elif|else|endif|undef|error|pragma)(?:\\\n|[^\n])*)
+  | (?P<directive>\#[ \t]*(?:include|if|ifdef|ifndef|elif|else|endif|undef|error|pragma)
+                  (?:\\\n|[^\n])*)
   | (?P<define>\#[ \t]*define[ \t]+\w+(?:\([^)]*\))?)
   | (?P<string>"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')
   | (?P<number>0[xX][0-9a-fA-F]+[uUlL]*|[0-9]+[uUlL]*)

@@ -1,12 +1,12 @@
 """Runs the mutants of the library against the test vectors.
 
-    python3 mutate.py [--every N] [--jobs N] [--out FOLDER] [FILE...]
+    python3 mutate.py [--every N [--first N]] [--jobs N] [--out FOLDER] [--quick] [FILE...]
 
 Each mutant is built with the generator of the vectors, in a copy of the sources below the folder.
 It is killed if the build fails, if a stage has other rows than the committed ones, or if it
 crashes or does not end. A survivor is tried again with narrow products and, if its file has
-forms for several compilers, with the system's; then it is compared with the original by what an optimising compiler makes of both: the
-same code is the same function.
+forms for several compilers, with the system's; then it is compared with the original by what an
+optimising compiler makes of both: the same code is the same function.
 
 Prints a line for each survivor, FILE:LINE: OLD -> NEW, then the numbers.
 """
@@ -59,8 +59,9 @@ NUMERIC = """
 def run(command, folder):
     """The status and the output; a run that does not end has status -1."""
     try:
-        done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                              timeout=PATIENCE, close_fds=False, check=False)
+        done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, timeout=PATIENCE, close_fds=False,
+                              check=False)
         return done.returncode, done.stdout.decode(errors="replace")
     except subprocess.TimeoutExpired:
         return -1, ""
@@ -218,7 +219,7 @@ def examine(options, path, start, old, new):
 
 
 def sample_tasks(options):
-    """The changes that a file lists: path, what stands there once, what shall, with tabs between."""
+    """The changes that a file lists: path, what stands there once, what shall; tabs between."""
     tasks = []
     for line in read(options.sample).splitlines():
         if line.startswith("#"):
@@ -238,12 +239,13 @@ def all_tasks(options):
         source = read(path)
         tasks += [(options, path, *mutant) for mutant in mutants.mutants_of(source)
                   if is_run(path, mutants.line_of(source, mutant[0]), lines)]
-    return tasks[::options.every]
+    return tasks[options.first::options.every]
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--every", type=int, default=1)
+    parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--out", default="build/mutants")
     parser.add_argument("--quick", action="store_true")

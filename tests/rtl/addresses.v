@@ -10,7 +10,8 @@ module addresses (
     input  wire [191:0]  advance, // s64.32
     input  wire [22:0]   k,       // s23
     output wire [23:0]   f,       // u8.8
-    output wire [8*46-1:0] address // s46: bytes from voxel (0, 0, 0) to corner q in 46 q + 45 to 46 q
+    // s46: bytes from voxel (0, 0, 0) to corner q in 46 q + 45 to 46 q
+    output wire [8*46-1:0] address
 );
     // i t has 12 + 32 bits with its sign; the sum of three has two more.
     wire [71:0]   index; // i1 and i0 of the axes

@@ -126,7 +126,8 @@ module bench_march (
                     32'd801354235});
                 expect_equal("S24", over16, {32'd167451971, 32'd1030521837, 32'd110553301,
                     32'd801262030});
-                $display("%0s march %0d", wrong == 0 ? "PASS" : "FAIL", wrong == 0 ? checks : wrong);
+                $display("%0s march %0d", wrong == 0 ? "PASS" : "FAIL",
+                    wrong == 0 ? checks : wrong);
                 done = 1;
             end
             default: ;

@@ -12,7 +12,8 @@ module exp_power;
     integer        i, bit_number, square;
 
     initial begin
-        $display("// exp_power[i] = round(2^(31 + i/64)), u32.31, i = 0 .. 63; SPEC.md, section 27");
+        $write("// exp_power[i] = round(2^(31 + i/64)), u32.31, i = 0 .. 63; ");
+        $display("SPEC.md, section 27");
         for (i = 0; i < 64; i = i + 1) begin
             bound = {{BITS-1{1'b0}}, 1'b1} << (32 * 64 + i);
             n = 0;

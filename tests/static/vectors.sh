@@ -135,5 +135,11 @@ for file in "$fresh"/*.csv; do
     head -n "$(wc -l <"$file")" "$work/larger/$(basename "$file")" | cmp - "$file" >&2 || status=1
 done
 outcome $status "a larger set begins with the committed rows"
+for wrong in abc 0 -5 12x 100001 ''; do
+    status=0
+    "$generator" "$work/larger" "$wrong" 2>"$work/refused" && status=1
+    grep -q "^vectors: VECTORS: $wrong: is no number of rows" "$work/refused" || status=1
+    outcome $status "'$wrong' is refused as a number of rows"
+done
 check "it has more of them" test "$(wc -l <"$work/larger/over.csv")" -eq 1201
 finish

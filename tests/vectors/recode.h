@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* clang-format off */
-#define QVOL_RECODE_VECTORS 596 /* specification 1 */
+#define QVOL_RECODE_VECTORS 598 /* specification 1 */
 
 typedef struct qvol_recode_vector {
     uint8_t kind; /* in, u2 */
@@ -614,6 +614,8 @@ static const qvol_recode_vector qvol_recode_vectors[] = {
     {1u, 360u, 1904587381u, 2804329185u, 529u, 2u},
     {1u, 3u, 314486u, 65536u, 1u, 0u},
     {1u, 54632u, 54u, 65536u, 65535u, 255u},
+    {2u, 32767u, 1u, 65536u, 0u, 0u},
+    {2u, 32768u, 1u, 65536u, 1u, 0u},
 };
 
 #endif

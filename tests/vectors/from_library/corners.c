@@ -55,3 +55,15 @@ void corner_edges(vector_set *set, unsigned bits, add_corners *add)
                 add(set, places[place], channel);
             }
 }
+
+void lone_corners(vector_set *set, unsigned bits, add_corners *add)
+{
+    static const uint64_t place[3] = {77, 128, 200};
+    for (unsigned lone = 0; lone < 8; lone++) {
+        uint64_t channel[4][8];
+        for (unsigned i = 0; i < 32; i++)
+            channel[i / 8][i % 8] = i < 24 ? full_of(bits) - i : 0;
+        channel[3][lone] = full_of(bits) / 2 + lone;
+        add(set, place, channel);
+    }
+}

@@ -27,6 +27,9 @@ void draw_corners(uint64_t f[3], uint64_t channel[4][8], vector_random *random, 
 typedef void add_corners(vector_set *set, const uint64_t f[3], uint64_t channel[4][8]);
 void corner_edges(vector_set *set, unsigned bits, add_corners *add);
 
+/* One corner with opacity among those that have none, each in turn. */
+void lone_corners(vector_set *set, unsigned bits, add_corners *add);
+
 #define FRACTIONS                                                                                  \
     {                                                                                              \
         "f", 3, 'i', "u8.8", "place between the voxel centres of axis [i]"                         \

@@ -1,6 +1,6 @@
 /*
  * main.c - writes the test vectors of every stage: vectors FOLDER [ROWS]. There are at least so
- * many rows of each stage that draws; those of the smaller set come first, with the same ids.
+ * many rows of each stage, 1 .. 100000; those of the smaller set come first, with the same ids.
  */
 #include "write.h"
 
@@ -52,13 +52,25 @@ static void write_text(const char *folder, const char *name, void (*write)(FILE 
     close_file(file, name);
 }
 
+/* Ids have five digits. */
+enum { MOST_ROWS = 100000 };
+
+static unsigned rows_of(const char *text)
+{
+    char *end;
+    const unsigned long rows = strtoul(text, &end, 10);
+    if (*text < '0' || *text > '9' || *end != 0 || rows == 0 || rows > MOST_ROWS)
+        vector_fail("VECTORS", text, "is no number of rows, 1 .. 100000");
+    return (unsigned)rows;
+}
+
 int main(int argc, char **argv)
 {
     if (argc < 2 || argc > 3) {
         fputs("vectors: usage: vectors FOLDER [ROWS]\n", stderr);
         return 2;
     }
-    unsigned rows = argc == 3 ? (unsigned)strtoul(argv[2], NULL, 10) : 0;
+    const unsigned rows = argc == 3 ? rows_of(argv[2]) : 0;
     FILE *manifest = open_file(argv[1], "manifest.json", "");
     write_manifest_begin(manifest);
     for (unsigned i = 0; vector_stages[i] != NULL; i++)

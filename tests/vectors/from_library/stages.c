@@ -1,5 +1,5 @@
 /*
- * stages.c - the stages in the order of tests/SPEC.md.
+ * stages.c - the stages in the order of tests/SPEC.md; those of several elements come last.
  */
 #include "stages.h"
 
@@ -79,5 +79,9 @@ const vector_stage *const vector_stages[] = {
     &stage_preweighted_under,
     &stage_preweighted_over,
     &stage_picture,
+    &stage_line,
+    &stage_palette,
+    &stage_coarser,
+    &stage_associated,
     NULL,
 };

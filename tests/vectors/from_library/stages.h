@@ -28,7 +28,10 @@ extern const vector_stage stage_nearest, stage_bspline, stage_bspline_sample, st
     stage_converted16;
 
 /* stages_light.c */
-extern const vector_stage stage_under, stage_over, stage_readout, stage_pixel;
+extern const vector_stage stage_under, stage_over, stage_readout;
+
+/* stages_pixel.c */
+extern const vector_stage stage_pixel;
 
 /* stages_scalar.c */
 extern const vector_stage stage_transfer, stage_index, stage_reduce;
@@ -81,5 +84,8 @@ extern const vector_stage stage_preweighted_under, stage_preweighted_over;
 
 /* stages_picture.c */
 extern const vector_stage stage_picture;
+
+/* stages_several.c */
+extern const vector_stage stage_line, stage_palette, stage_coarser, stage_associated;
 
 #endif

@@ -120,6 +120,17 @@ static void clip_added(vector_set *set)
         row.in.place[0] = (i < 6 ? 0 : (INT64_C(4096) << 32) - 1) - firsts[i % 6] * step;
         vector_add(set, &row, VECTOR_EDGE | VECTOR_OVERFLOW);
     }
+    const clip_row slow = {.in = {{4, 4, 4}, {-5, INT64_C(4) << 32, 7}, {1, -1, 0}}}; /* shortest */
+    vector_add(set, &slow, VECTOR_EDGE);
+    for (unsigned i = 0; i < 12; i++) { /* the longest steps */
+        const int64_t step = (i < 6 ? 1 : -1) * (INT64_C(1) << 40);
+        clip_row row = {.in = {.n = {4096, 4096, 4096}, .advance = {step, -step, step}},
+                        .least = -QV_GRID_LIMIT};
+        for (unsigned axis = 0; axis < 3; axis++)
+            row.in.place[axis] =
+                (INT64_C(2048) << 32) + axis - firsts[i % 6] * row.in.advance[axis];
+        vector_add(set, &row, VECTOR_EDGE | VECTOR_OVERFLOW);
+    }
 }
 
 static const vector_field clip_fields[] = {
@@ -202,6 +213,8 @@ static void way_added(vector_set *set)
                                            {6308485290, -3694678981, -4118747260}}}};
     for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++)
         vector_add(set, &rows[i], VECTOR_EDGE);
+    const way_row slow = {.in = {{4, 4, 4}, {-5, INT64_C(4) << 32, 7}, {1, -1, 0}}, .eye = 1};
+    vector_add(set, &slow, VECTOR_EDGE); /* the shortest steps that there are */
 }
 
 static const vector_field way_fields[] = {
@@ -285,6 +298,21 @@ static void piece_edges(vector_set *set)
     }
 }
 
+/* The longest steps, the farthest pieces and the coarsest levels. */
+static void piece_added(vector_set *set)
+{
+    for (unsigned i = 0; i < 16; i++) {
+        const int64_t way = (i % 2 ? -1 : 1) * ((INT64_C(1) << 46) - (INT64_C(1) << 37));
+        piece_row row = {.begin = way, .level = i / 4 % 4 * 4};
+        row.leave = way + (i / 2 % 2 ? INT64_C(1) << 37 : 6);
+        for (unsigned axis = 0; axis < 3; axis++) {
+            row.advance[axis] = (axis == 1 ? -1 : 1) * (INT64_C(1) << 40);
+            row.place[axis] = (INT64_C(5) << 32) - (way >> 24) * row.advance[axis];
+        }
+        vector_add(set, &row, VECTOR_EDGE | VECTOR_OVERFLOW);
+    }
+}
+
 static const vector_field piece_fields[] = {
     {"place", 3, 'i', "s64.32", "sample 0 of the ray on axis [i]"},
     {"advance", 3, 'i', "s64.32", "from sample to sample on axis [i]"},
@@ -310,6 +338,7 @@ const vector_stage stage_piece = {
     .seed = 38,
     .random_rows = 250,
     .edges = piece_edges,
+    .added = piece_added,
     .draw = piece_draw,
     .compute = piece_compute,
 };

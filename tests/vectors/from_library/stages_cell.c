@@ -110,6 +110,27 @@ static void cell_edges(vector_set *set)
     }
 }
 
+/* The longest steps to the farthest samples, of the largest volumes: addresses at the ends of 32
+   bits, or strides that are, of which two make a small one. */
+static void cell_added(vector_set *set)
+{
+    static const int64_t strides[4][3] = {
+        {524416, 0, 4}, {4, -524416, 4}, {INT32_MAX, -INT32_MAX, 4}, {4, 8, INT32_MIN}};
+    static const uint64_t sizes[4][3] = {{4096, 1, 1}, {1, 4096, 2}, {2, 2, 1}, {3, 3, 2}};
+    for (unsigned i = 0; i < 4 * 8; i++) {
+        cell_row row = {.k = i % 2 ? (1 << 22) - 1 : -(1 << 22)};
+        for (unsigned axis = 0; axis < 3; axis++) {
+            const int64_t sign = i / 2 % 2 ? -1 : 1, size = (int64_t)sizes[i / 8][axis];
+            row.n[axis] = (uint64_t)size;
+            row.stride[axis] = strides[i / 8][axis];
+            row.advance[axis] = sign * ((INT64_C(1) << 40) - axis);
+            row.place[axis] =
+                (i / 4 % 2 ? (size << 32) - 1 : size << 31) - row.k * row.advance[axis];
+        }
+        vector_add(set, &row, VECTOR_EDGE | VECTOR_OVERFLOW);
+    }
+}
+
 static const vector_field cell_fields[] = {
     {"n", 3, 'i', "u13", "voxels on axis [i]"},
     {"stride", 3, 'i', "s32", "bytes from voxel to voxel on axis [i]"},
@@ -134,6 +155,7 @@ const vector_stage stage_cell = {
     .seed = 10,
     .random_rows = 250,
     .edges = cell_edges,
+    .added = cell_added,
     .draw = cell_draw,
     .compute = cell_compute,
 };

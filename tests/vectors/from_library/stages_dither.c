@@ -275,6 +275,22 @@ static void alpha_edges(vector_set *set)
     }
 }
 
+/* Fractions that are a 65536th of a hit below one half, of odd periods; each slice of a period. */
+static void add_near_hits(vector_set *set)
+{
+    static const uint64_t near[][2] = {{3, 54613}, {5, 45875}, {7, 4681}};
+    for (unsigned i = 0; i < 3; i++)
+        for (uint64_t k = 0; k < near[i][0]; k++) {
+            const alpha_row row = {.o = (3 << 16) + near[i][1],
+                                   .period = near[i][0],
+                                   .slope = {65536, 65536},
+                                   .cutoff = 255,
+                                   .k = k,
+                                   .u = (k << 32) / near[i][0] + 65536};
+            vector_add(set, &row, VECTOR_EDGE);
+        }
+}
+
 /* Found by search: here corrected changes with a bound that is off by 1. */
 static void alpha_added(vector_set *set)
 {
@@ -290,6 +306,7 @@ static void alpha_added(vector_set *set)
         row.cutoff = 255;
         vector_add(set, &row, VECTOR_EDGE);
     }
+    add_near_hits(set);
 }
 
 static const vector_field alpha_fields[] = {

@@ -28,25 +28,26 @@ static const struct {
     {qv_extinction_to_extinction, QV_STORAGE_RGBT16, {QV_STORAGE_RGBT8, QV_STORAGE_RGBT16}},
     {qv_extinction_to_opacity, QV_STORAGE_RGBT16, {QV_STORAGE_RGBA8, QV_STORAGE_RGBA16}}};
 
+/* Of two entries the second, which the first leads to. */
 static unsigned recode_compute(void *columns)
 {
     recode_row *row = columns;
-    const uint16_t entry[4] = {0, 0, 0, (uint16_t)row->v};
-    const void *address = entry;
+    const uint16_t entries[2][4] = {{0, 0, 0, 0}, {0, 0, 0, (uint16_t)row->v}};
+    const void *address = entries;
     const qv_entries from = {.entries = address,
-                             .count = 1,
+                             .count = 2,
                              .unit_distance = (uint32_t)row->from,
                              .extinction = (uint32_t)row->from,
                              .storage = recodings[row->kind].from};
     recoding *recode = recodings[row->kind].recode;
     const uint8_t *to = recodings[row->kind].to;
-    uint8_t narrow[4];
-    uint16_t wide[4];
+    uint8_t narrow[2][4] = {{0}};
+    uint16_t wide[2][4] = {{0}};
     if (recode(narrow, sizeof narrow, to[0], (uint32_t)row->to, &from) != QV_OK ||
         recode(wide, sizeof wide, to[1], (uint32_t)row->to, &from) != QV_OK)
         vector_fail("recode", "entry", "refused");
-    row->result8 = narrow[3];
-    row->result16 = wide[3];
+    row->result8 = narrow[1][3];
+    row->result16 = wide[1][3];
     return row->result16 == 65535 ? VECTOR_SATURATE : 0;
 }
 
@@ -80,6 +81,15 @@ static void recode_edges(vector_set *set)
     }
 }
 
+/* The last that rounds down, and the first that does not. */
+static void recode_added(vector_set *set)
+{
+    for (uint64_t v = 32767; v < 32769; v++) {
+        const recode_row row = {.kind = 2, .v = v, .from = 1, .to = 65536};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field recode_fields[] = {
     {"kind", 1, 'i', "u2",
      "0 opacity to extinction, 1 opacity to opacity, 2 extinction to extinction, 3 extinction to "
@@ -102,6 +112,7 @@ const vector_stage stage_recode = {
     .seed = 31,
     .random_rows = 400,
     .edges = recode_edges,
+    .added = recode_added,
     .draw = recode_draw,
     .compute = recode_compute,
 };
@@ -345,6 +356,18 @@ static void downsample_edges(vector_set *set)
     }
 }
 
+/* The least weight that is not 0: what is added to it shows in the colours. */
+static void downsample_added(vector_set *set)
+{
+    for (unsigned i = 0; i < 12; i++) {
+        downsample_row row = {.n = {2, 2, 2}, .filter = i % 3, .converted = i / 3 % 2, .wide = 1};
+        for (unsigned v = 0; v < 24; v++)
+            row.channel[v / 8][v % 8] = 65535 - 7 * (v / 8);
+        row.channel[3][i / 6 * 7] = 1;
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field downsample_fields[] = {
     {"n", 3, 'i', "u4", "voxels on axis [i]; 8 in all at most"},
     {"filter", 1, 'i', "u2", "0 box of two, 1 box of four, 2 the third of section 34"},
@@ -369,6 +392,7 @@ const vector_stage stage_downsample = {
     .seed = 34,
     .random_rows = 250,
     .edges = downsample_edges,
+    .added = downsample_added,
     .draw = downsample_draw,
     .compute = downsample_compute,
 };

@@ -157,6 +157,17 @@ static void quotient_edges(vector_set *set)
     }
 }
 
+/* Quotients of 65536 or a little less: rounded they are 65536, just below it, or just above. */
+static void quotient_added(vector_set *set)
+{
+    static const uint64_t divisors[] = {1, 2, 3, 65535, 65536, UINT64_C(1) << 40, 0xFFFFFFFFFFFF};
+    for (unsigned i = 0; i < 7 * 3; i++) {
+        const uint64_t e = divisors[i / 3];
+        const quotient_row row = {.n = 131071, .d = 2, .m = (e << 16) - e / 2 + i % 3 - 1, .e = e};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field quotient_fields[] = {
     {"n", 1, 'i', "u64", "any"},
     {"d", 1, 'i', "u31", "not 0"},
@@ -177,6 +188,7 @@ const vector_stage stage_quotient = {
     .seed = 264,
     .random_rows = 300,
     .edges = quotient_edges,
+    .added = quotient_added,
     .draw = quotient_draw,
     .compute = quotient_compute,
 };

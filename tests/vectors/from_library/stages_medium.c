@@ -78,6 +78,30 @@ static void medium_edges(vector_set *set)
     }
 }
 
+/* The greatest ratio and the greatest extinction of each number of levels, by the longest piece. */
+static void medium_added(vector_set *set)
+{
+    for (uint64_t levels = 0; levels < 12; levels++) {
+        const medium_row ratio = {.model = 0,
+                                  .step = 1 << 20,
+                                  .unit = (uint64_t)1 << (9 + levels),
+                                  .levels = levels,
+                                  .length = (uint64_t)65536 << levels};
+        const medium_row depth = {.model = 1,
+                                  .wide = levels % 2,
+                                  .step = 1 << 20,
+                                  .extinction = ((uint64_t)1 << (34 - levels)) - 1u,
+                                  .levels = levels,
+                                  .length = (uint64_t)65536 << levels};
+        vector_add(set, &ratio, VECTOR_EDGE | VECTOR_OVERFLOW);
+        if (depth.extinction <= UINT32_MAX)
+            vector_add(set, &depth, VECTOR_EDGE | VECTOR_OVERFLOW);
+    }
+    /* found by search: without its lowest bit this unit distance has another ratio */
+    const medium_row odd = {.step = 1 << 20, .unit = 1073741953, .length = 65536};
+    vector_add(set, &odd, VECTOR_EDGE);
+}
+
 static const vector_field medium_fields[] = {
     {"model", 1, 'i', "u2", "0 section 42; of section 43: 1 stored extinction, 2 stored opacity"},
     {"wide", 1, 'i', "u1", "storage: 0 of 8 bits, 1 of 16 bits"},
@@ -104,6 +128,7 @@ const vector_stage stage_medium = {
     .seed = 39,
     .random_rows = 300,
     .edges = medium_edges,
+    .added = medium_added,
     .draw = medium_draw,
     .compute = medium_compute,
 };

@@ -176,6 +176,29 @@ static void picture_edges(vector_set *set)
     }
 }
 
+/* Opaque voxels and a threshold of 0, that transmittance just meets; in the modes by length, a way
+   that ends where a piece does. */
+static void picture_added(vector_set *set)
+{
+    for (unsigned i = 0; i < 2 * MODES; i++) {
+        picture_row row = {.n = {2, 2, 2},
+                           .wide = i / MODES,
+                           .mode = i % MODES,
+                           .spacing = {65536, 65536, 65536},
+                           .azimuth = (uint64_t)(i % 4) << 30,
+                           .pitch = 32768,
+                           .step = 32768,
+                           .phase = 32768,
+                           .width = SIDE,
+                           .height = SIDE};
+        for (unsigned v = 0; v < 8; v++) {
+            row.channel[0][v] = 25 * v;
+            row.channel[3][v] = row.wide ? 65535 : 255;
+        }
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field picture_fields[] = {
     {"n", 3, 'i', "u2", "voxels on axis [i], 1 or 2"},
     {"r", 8, 'i', "u16", "red of voxel [i], x fastest; those beyond n0 n1 n2 are not read"},
@@ -223,6 +246,7 @@ const vector_stage stage_picture = {
     .seed = 18,
     .random_rows = 300,
     .edges = picture_edges,
+    .added = picture_added,
     .draw = picture_draw,
     .compute = picture_compute,
 };

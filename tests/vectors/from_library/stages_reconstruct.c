@@ -340,6 +340,18 @@ static void bspline_sample_edges(vector_set *set)
     }
 }
 
+/* One voxel with opacity among those that have none, each in turn. */
+static void bspline_sample_added(vector_set *set)
+{
+    for (unsigned lone = 0; lone < 27; lone++) {
+        bspline_sample_row row = {.kind = lone % 4, .f = {77, 128, 200}};
+        for (unsigned v = 0; v < 27; v++)
+            for (unsigned c = 0; c < 4; c++)
+                row.channel[c][v] = c < 3 ? 255 - v : v == lone ? 200 : 0;
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field bspline_sample_fields[] = {
     {"f", 3, 'i', "u8.8", "place in the voxel on axis [i]"},
     {"kind", 1, 'i', "u2",
@@ -365,6 +377,7 @@ const vector_stage stage_bspline_sample = {
     .seed = 4027,
     .random_rows = 80,
     .edges = bspline_sample_edges,
+    .added = bspline_sample_added,
     .draw = bspline_sample_draw,
     .compute = bspline_sample_compute,
 };

@@ -117,6 +117,8 @@ static int interpolate(uint64_t *o, uint64_t l[3], uint64_t *a32, const corners 
     qv_sample sample;
     if (!qv_interpolate_corners(&sample, at->at, fraction, storage, factor))
         return 0;
+    if (sample.scale != 0)
+        vector_fail("sample", "scale", "is that of converted opacity");
     if (factor == QV_BY_WEIGHT)
         qv_associate_light(&sample, storage);
     *o = fx_share_bits(sample.opacity);
@@ -174,6 +176,16 @@ static void sample16_edges(vector_set *set)
     corner_edges(set, 16, add_weighted);
 }
 
+static void sample8_added(vector_set *set)
+{
+    lone_corners(set, 8, add_weighted);
+}
+
+static void sample16_added(vector_set *set)
+{
+    lone_corners(set, 16, add_weighted);
+}
+
 #define WEIGHTED_SUMS                                                                              \
     SKIPPED, {"o", 1, 'o', "u32", SUM_OF("s")}, {"l0", 1, 'o', "u32", SUM_OF("tr")},               \
         {"l1", 1, 'o', "u32", SUM_OF("tg")},                                                       \
@@ -203,6 +215,7 @@ const vector_stage stage_sample8 = {
     .seed = 12,
     .random_rows = 200,
     .edges = sample8_edges,
+    .added = sample8_added,
     .draw = sample8_draw,
     .compute = sample8_compute,
 };
@@ -229,6 +242,7 @@ const vector_stage stage_sample16 = {
     .seed = 1216,
     .random_rows = 200,
     .edges = sample16_edges,
+    .added = sample16_added,
     .draw = sample16_draw,
     .compute = sample16_compute,
 };
@@ -290,6 +304,16 @@ static void separate16_edges(vector_set *set)
     corner_edges(set, 16, add_separate);
 }
 
+static void separate8_added(vector_set *set)
+{
+    lone_corners(set, 8, add_separate);
+}
+
+static void separate16_added(vector_set *set)
+{
+    lone_corners(set, 16, add_separate);
+}
+
 #define DOT_OF(name)                                                                               \
     "w0 * " name "0 + w1 * " name "1 + w2 * " name "2 + w3 * " name "3 + w4 * " name               \
     "4 + w5 * " name "5 + w6 * " name "6 + w7 * " name "7"
@@ -316,6 +340,7 @@ const vector_stage stage_separate8 = {
     .seed = 1208,
     .random_rows = 120,
     .edges = separate8_edges,
+    .added = separate8_added,
     .draw = separate8_draw,
     .compute = separate8_compute,
 };
@@ -335,6 +360,7 @@ const vector_stage stage_separate16 = {
     .seed = 1217,
     .random_rows = 120,
     .edges = separate16_edges,
+    .added = separate16_added,
     .draw = separate16_draw,
     .compute = separate16_compute,
 };

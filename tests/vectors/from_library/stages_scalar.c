@@ -168,12 +168,14 @@ typedef struct reduce_row {
 
 static unsigned reduce_compute(void *columns)
 {
-    static const uint8_t factor[3] = {2, 2, 2};
     reduce_row *row = columns;
+    uint8_t factor[3];
     uint16_t values[8], value;
     const void *from = values;
     for (unsigned i = 0; i < 8; i++)
         values[i] = (uint16_t)row->s[i];
+    for (unsigned axis = 0; axis < 3; axis++)
+        factor[axis] = row->n[axis] == 3 ? 3 : 2;
     const qv_scalars scalars = {
         .values = from,
         .values_bytes = sizeof values,
@@ -205,8 +207,22 @@ static void reduce_edges(vector_set *set)
     }
 }
 
+/* Means of three and of six: numbers that do not divide 2^32. */
+static void reduce_added(vector_set *set)
+{
+    static const uint8_t sizes[6][3] = {{3, 1, 1}, {1, 3, 1}, {1, 1, 3},
+                                        {3, 2, 1}, {1, 3, 2}, {2, 1, 3}};
+    for (unsigned i = 0; i < 12; i++) {
+        const uint8_t *n = sizes[i % 6];
+        const reduce_row row = {
+            .n = {n[0], n[1], n[2]},
+            .s = {i < 6 ? -32768 : 32767, -32767 + (int64_t)i, 32766, -3, 0, 1 + (int64_t)i, -1}};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static const vector_field reduce_fields[] = {
-    {"n", 3, 'i', "u2", "scalars on axis [i], 1 or 2"},
+    {"n", 3, 'i', "u2", "scalars on axis [i], 1 .. 3; 8 in all at most"},
     {"s", 8, 'i', "s16", "scalars, x fastest; those beyond n0 n1 n2 are not read"},
     {"value", 1, 'o', "s16",
      "floor((2 Q + N) / (2 N)) - 32768, with N = n0 n1 n2 and Q the sum of "
@@ -224,6 +240,7 @@ const vector_stage stage_reduce = {
     .seed = 24,
     .random_rows = 150,
     .edges = reduce_edges,
+    .added = reduce_added,
     .draw = reduce_draw,
     .compute = reduce_compute,
 };

@@ -77,6 +77,38 @@ static void gradient_edges(vector_set *set)
     }
 
 /* Gradients as long as the least, and a little shorter; the least and the longest of all. */
+static void add_longest(vector_set *set)
+{
+    for (unsigned i = 0; i < 8; i++) {
+        const gradient_row row = {
+            .d = {65535, -65535, 65535},
+            .spacing = {i & 1 ? 1 << 24 : 4096, i & 2 ? 1 << 24 : 4096, i & 4 ? 1 << 24 : 4096},
+            .least = 65535,
+            .window = 196607};
+        vector_add(set, &row, VECTOR_EDGE | VECTOR_OVERFLOW);
+    }
+}
+
+/* As long as the least: the lower bits of both squares are odd numbers of many bits, times 2^46
+   for the least one. A second difference makes the gradient longer in the last words alone. */
+static void add_odd_squares(vector_set *set)
+{
+    static const uint64_t odd[4] = {65537, 4099, 16777215, 9999999};
+    for (unsigned i = 0; i < 4 * 3 * 2; i++) {
+        const unsigned axis = i / 2 % 3;
+        const int64_t length = 1 + 254 * (int64_t)(i % 2);
+        gradient_row row = {.least = 1, .window = 128 * (uint64_t)length};
+        row.spacing[axis] = 65536;
+        row.spacing[(axis + 1) % 3] = odd[i / 6];
+        row.spacing[(axis + 2) % 3] = odd[(i / 6 + 1) % 4];
+        row.d[axis] = length;
+        vector_add(set, &row, VECTOR_EDGE);
+        row.window++;
+        row.d[(axis + 1) % 3] = i % 4 ? 4 : 1000;
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 static void gradient_added(vector_set *set)
 {
     static const uint16_t lengths[] = {1, 2, 3, 255, 1000, 1535};
@@ -88,14 +120,12 @@ static void gradient_added(vector_set *set)
                                   .window = (uint64_t)(128 * length) + i % 3 - 1};
         vector_add(set, &row, VECTOR_EDGE);
     }
-    for (unsigned i = 0; i < 8; i++) {
-        const gradient_row row = {
-            .d = {65535, -65535, 65535},
-            .spacing = {i & 1 ? 1 << 24 : 4096, i & 2 ? 1 << 24 : 4096, i & 4 ? 1 << 24 : 4096},
-            .least = 65535,
-            .window = 196607};
-        vector_add(set, &row, VECTOR_EDGE | VECTOR_OVERFLOW);
-    }
+    add_longest(set);
+    add_odd_squares(set);
+    /* 387 * 5419 = 2^21 + 1: shorter than the least in the lowest word of the squares alone */
+    const gradient_row shorter = {
+        .d = {1024, 1, 0}, .spacing = {4096, 4096, 4096}, .least = 387, .window = 5419};
+    vector_add(set, &shorter, VECTOR_EDGE);
 }
 
 static const vector_field gradient_fields[] = {
@@ -256,6 +286,23 @@ static void add_rounded_shades(vector_set *set)
     }
 }
 
+/* The least highlight that there is, with a viewer beside the light and opposite to it. */
+static void add_faint_highlights(vector_set *set)
+{
+    for (unsigned i = 0; i < 4; i++) {
+        const shade_row row = {.d = {0, 0, -100},
+                               .spacing = {65536, 65536, 65536},
+                               .window = 100,
+                               .light = {0, 0, i % 2 ? 1000 : 1},
+                               .viewer = {0, i / 2 ? 1 : 0, i / 2 ? 1 : -1},
+                               .ambient = 100,
+                               .diffuse = 100,
+                               .specular = 1,
+                               .colour = {1000, 2000, 3000}};
+        vector_add(set, &row, VECTOR_EDGE);
+    }
+}
+
 /* A viewer almost opposite to the light: from some angle on there is a highlight. */
 static void shade_added(vector_set *set)
 {
@@ -274,6 +321,7 @@ static void shade_added(vector_set *set)
         vector_add(set, &row, VECTOR_EDGE);
     }
     add_rounded_shades(set);
+    add_faint_highlights(set);
 }
 
 static const vector_field shade_fields[] = {

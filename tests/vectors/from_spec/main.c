@@ -93,6 +93,10 @@ static const stage stages[] = {
     {"preweighted_under", stage_preweighted_under},
     {"preweighted_over", stage_preweighted_over},
     {"picture", stage_picture},
+    {"line", stage_line},
+    {"palette", stage_palette},
+    {"coarser", stage_coarser},
+    {"associated", stage_associated},
 };
 
 enum { STAGES = sizeof stages / sizeof *stages };

@@ -59,6 +59,9 @@ stage_function stage_preweighted_under, stage_preweighted_over;
 /* All of it, in pictures. */
 stage_function stage_picture;
 
+/* Several elements. */
+stage_function stage_line, stage_palette, stage_coarser, stage_associated;
+
 /* Several fields, whose names end with their numbers. */
 void in_all(csv *c, const char *name, number value[], unsigned count);
 void out_all(csv *c, const char *name, const number value[], unsigned count);
