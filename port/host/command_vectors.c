@@ -18,6 +18,7 @@
 
 /* Results, and which column of the truth each of their columns is. */
 struct results {
+    bool *seen; /* of each row of the truth, whether there is a result */
     struct table_file table;
     size_t *truth;
     size_t id;     /* its column */
@@ -82,11 +83,11 @@ static void compare_row(struct first_difference *first, const struct results *re
 }
 
 /* Every row is read, so that what is no number is told wherever it stands. */
-static void compare(struct first_difference *first, const struct results *results,
+static void compare(struct first_difference *first, struct results *results,
                     const struct vectors *vectors)
 {
     const struct table_file *table = &results->table;
-    bool *seen = allocate(vectors->rows.rows + 1, table->name, NULL);
+    results->seen = allocate(vectors->rows.rows + 1, table->name, NULL);
     for (size_t row = 0; row < table->rows; row++) {
         const char *id = table_file_cell(table, row, results->id);
         size_t truth;
@@ -94,13 +95,12 @@ static void compare(struct first_difference *first, const struct results *result
             data_error(table->name, "id", "line %zu: '%s' is no row of %s", row + 2, id,
                        vectors->rows.name);
         }
-        if (seen[truth]) {
+        if (results->seen[truth]) {
             data_error(table->name, "id", "line %zu: '%s' stands there twice", row + 2, id);
         }
-        seen[truth] = true;
+        results->seen[truth] = true;
         compare_row(first, results, row, vectors, truth);
     }
-    free(seen);
 }
 
 static void print_comparison(const struct first_difference *first, const struct results *results,
@@ -157,6 +157,7 @@ int command_vectors_check(const struct settings *settings)
     } else if (!settings->quiet) {
         print_comparison(&first, &results, &vectors);
     }
+    free(results.seen);
     free(results.truth);
     table_file_free(&results.table);
     vectors_close(&vectors);
@@ -174,11 +175,11 @@ int command_vectors_show(const struct settings *settings)
     struct vectors vectors;
     const char *id = settings->operands[0], *number = strrchr(id, '-');
     size_t length = number != NULL ? (size_t)(number - id) : 0, row;
-    char *stage = allocate(length + 1, id, NULL);
-    memcpy(stage, id, length);
     if (length == 0) {
         usage_error("id", "'%s' is no id like weights-00000", id);
     }
+    char *stage = allocate(length + 1, id, NULL);
+    memcpy(stage, id, length);
     vectors_open(&vectors, settings, stage);
     if (!vectors_find(&row, &vectors, id)) {
         usage_error("id", "'%s' is none of the %zu rows of %s", id, vectors.rows.rows,

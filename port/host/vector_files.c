@@ -10,19 +10,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PATH_BYTES 4096
-
 /* Where make install puts them; the Makefile knows PREFIX. */
 #ifndef QVOL_VECTORS
 #define QVOL_VECTORS "/usr/local/share/qvol/vectors"
 #endif
 
-static void read_from(struct table_file *table, const struct settings *settings, const char *name,
-                      const char *ending, char separator)
+static void read_from(struct table_file *table, char *path, const struct settings *settings,
+                      const char *name, const char *ending, char separator)
 {
     const char *folder = settings->from != NULL ? settings->from : QVOL_VECTORS;
-    char *path = allocate(PATH_BYTES, folder, NULL); /* which the table's messages name */
-    if (snprintf(path, PATH_BYTES, "%s/%s%s", folder, name, ending) >= PATH_BYTES) {
+    int length = snprintf(path, VECTORS_PATH_BYTES, "%s/%s%s", folder, name, ending);
+    if (length < 0 || length >= VECTORS_PATH_BYTES) {
         usage_error("--from", "the name is too long");
     }
     table_file_read(table, path, separator);
@@ -40,17 +38,17 @@ static void check_fields(const struct table_file *fields)
 }
 
 /* The first column of a stage; a name that is known is safe as that of a file, too. */
-static void find_stage(struct vectors *vectors, const char *stage)
+static void find_stage(struct vectors *vectors)
 {
     const struct table_file *fields = &vectors->fields;
     size_t row = 0;
-    while (row < fields->rows && strcmp(table_file_cell(fields, row, FIELD_STAGE), stage) != 0) {
+    while (row < fields->rows &&
+           strcmp(table_file_cell(fields, row, FIELD_STAGE), vectors->stage) != 0) {
         row++;
     }
     if (row == fields->rows) {
-        usage_error("stage", "'%s' is none of %s", stage, fields->name);
+        usage_error("stage", "'%s' is none of %s", vectors->stage, fields->name);
     }
-    vectors->stage = stage;
     vectors->first_field = row;
 }
 
@@ -73,10 +71,11 @@ static void check_columns(const struct vectors *vectors)
 
 void vectors_open(struct vectors *vectors, const struct settings *settings, const char *stage)
 {
-    read_from(&vectors->fields, settings, "fields", ".tsv", '\t');
+    vectors->stage = stage;
+    read_from(&vectors->fields, vectors->path[0], settings, "fields", ".tsv", '\t');
     check_fields(&vectors->fields);
-    find_stage(vectors, stage);
-    read_from(&vectors->rows, settings, stage, ".csv", ',');
+    find_stage(vectors);
+    read_from(&vectors->rows, vectors->path[1], settings, stage, ".csv", ',');
     check_columns(vectors);
 }
 

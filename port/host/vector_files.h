@@ -16,7 +16,10 @@ enum { VECTOR_ID, VECTOR_FLAGS, VECTOR_FIRST };
 /* What fields.tsv tells of a column. */
 enum { FIELD_STAGE, FIELD_SECTION, FIELD_NAME, FIELD_ROLE, FIELD_FORMAT, FIELD_TEXT, FIELDS };
 
+#define VECTORS_PATH_BYTES 4096
+
 struct vectors {
+    char path[2][VECTORS_PATH_BYTES]; /* which the messages of both tables name */
     const char *stage;
     struct table_file fields; /* of all stages */
     size_t first_field;       /* of this one: the row of its column VECTOR_FIRST */
