@@ -105,8 +105,8 @@ FX_INLINE void qv_march_lengths_back(qv_light *light, qv_ray *ray, const qv_cont
  * before the loop over its pieces has its stack frame.
  */
 #define QV_DEFINE_BY_LENGTH(mode, suffix, prepare, family, read_out, storage)                      \
-    FX_APART int look_##suffix(qv_sample *sample, const qv_ray *ray, const qv_volume *volume,      \
-                               struct qv_levels *levels)                                           \
+    static FX_APART int look_##suffix(qv_sample *sample, const qv_ray *ray,                        \
+                                      const qv_volume *volume, struct qv_levels *levels)           \
     {                                                                                              \
         (void)levels;                                                                              \
         return qv_look_at_volume(sample, ray, volume, storage, family);                            \

@@ -12,21 +12,22 @@
 #define FX_INLINE_H
 
 #if defined(__GNUC__)
-#define FX_INLINE   static inline __attribute__((always_inline))
-#define FX_NOINLINE __attribute__((noinline))
+#define FX_DISSOLVED inline __attribute__((always_inline))
+#define FX_NOINLINE  __attribute__((noinline))
 #else
-#define FX_INLINE static inline
+#define FX_DISSOLVED inline
 #define FX_NOINLINE
 #endif
+#define FX_INLINE static FX_DISSOLVED
 
 /* Where size counts, -Os, parts of an inner loop are functions that modes share, and frames are
    small; else the loop is one piece, which costs stack and saves calls. */
 #if defined(__OPTIMIZE_SIZE__)
 #define FX_SMALL 1
-#define FX_APART static FX_NOINLINE
+#define FX_APART FX_NOINLINE
 #else
 #define FX_SMALL 0
-#define FX_APART FX_INLINE
+#define FX_APART FX_DISSOLVED
 #endif
 
 /* In front of a loop of at most 8 rounds whose arrays are to become registers. Where size counts,
